@@ -13,8 +13,10 @@ namespace bolster {
 namespace {
 
 constexpr double mmOfStrain = 100;   // 1 % over the limit counts like 1 mm
-constexpr double belowLimit = 0.95;  // of it: what is just below it would be over it with the next change
-constexpr double lengthWeight = 0.3; // of 1 mm that a seam's sides differ
+constexpr double belowLimit = 0.85;  // of it: what is just below it would be over it with the next change
+constexpr double meantEase = 0.005; // of the length: sides that differ by more from their ease shall come nearer to it
+constexpr double keptLength = 1;    // weight of 1 mm between a seam's sides
+constexpr double wantedLength = 0.3;
 constexpr double straightWeight = 2;
 constexpr double cornerWeight = 50;   // mm: of a radian
 constexpr double straightWithin = 0.05; // mm
@@ -117,21 +119,36 @@ FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& des
     : m_goals(goals)
     , m_locks(locks)
     , m_design(design)
-    , m_differences(lengthDifferences(design))
-{}
+{
+    const std::vector<double> differences = lengthDifferences(design);
+    std::size_t k = 0;
+    design.each<Seam>([&](ElementId, const Seam& seam) {
+        const double now = differences[k++];
+        const bool meant = std::abs(now - seam.ease) <= meantEase * lengthOf(design, seam.a);
+        m_wanted.push_back(meant ? Wanted{now, keptLength} : Wanted{seam.ease, wantedLength});
+    });
+}
 
 void FitRows::aim(const WarmCover& cover)
 {
     m_aims.clear();
-    if (m_goals.target.empty())
+    addAims(cover, m_goals.target, m_goals.targetWeight, false);
+    if (m_goals.keepShape > 0)
+        addAims(cover, m_kept, m_goals.keepShape, true);
+}
+
+void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere)
+{
+    if (target.empty())
         return;
     const SurfaceMeshPtr surface = cover.surface();
     WorkerPool pool(0);
-    const ScanDeviation deviation = measureScan(*surface, m_goals.target.place, m_goals.target.index, pool);
+    const ScanDeviation deviation = measureScan(*surface, target.place, target.index, pool);
     const std::vector<double> areas = areasOf(cover.mesh(), surface->positions);
+    const std::size_t first = m_aims.size();
     double all = 0;
     for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
-        if (!isMeant(range.patch))
+        if (!everywhere && !isMeant(range.patch))
             continue;
         for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
             if (std::isnan(deviation.ofVertex[v]))
@@ -142,23 +159,16 @@ void FitRows::aim(const WarmCover& cover)
             all += areas[v];
         }
     }
-    for (Aim& aim : m_aims)
-        aim.weight = m_goals.targetWeight * std::sqrt(aim.weight / all);
+    for (std::size_t k = first; k < m_aims.size(); ++k)
+        m_aims[k].weight = weight * std::sqrt(m_aims[k].weight / all);
 }
 
 void FitRows::keep(const WarmCover& cover)
 {
-    m_kept.clear();
-    const SurfaceMeshPtr surface = cover.surface();
-    const std::vector<double> areas = areasOf(cover.mesh(), surface->positions);
-    double all = 0;
-    for (const double area : areas)
-        all += area;
-    for (std::size_t v = 0; v < areas.size(); ++v) {
-        const Vec3 normal = surface->normals[v].cast<double>();
-        m_kept.push_back(
-            {static_cast<int>(v), normal, normal.dot(surface->positions[v]), std::sqrt(areas[v] / all)});
-    }
+    TriangleMesh mesh;
+    mesh.points = vertexPlaces(cover);
+    mesh.triangles = cover.mesh().topology->triangles;
+    m_kept = targetOf(mesh);
 }
 
 /// visit(excess, strain, area): how far each of three strains is over its limit, all as shares.
@@ -221,8 +231,8 @@ void FitRows::addPattern(const Design& design, std::vector<double>& rows) const
 {
     if (m_locks.lengths) {
         const std::vector<double> now = lengthDifferences(design);
-        for (std::size_t k = 0; k < now.size() && k < m_differences.size(); ++k)
-            rows.push_back(lengthWeight * (now[k] - m_differences[k]));
+        for (std::size_t k = 0; k < now.size() && k < m_wanted.size(); ++k)
+            rows.push_back(m_wanted[k].weight * (now[k] - m_wanted[k].difference));
     }
     m_design.each<Patch>([&](ElementId id, const Patch& before) {
         const auto* patch = design.find<Patch>(id);
@@ -250,9 +260,6 @@ Eigen::VectorXd FitRows::rows(const WarmCover& cover, const Design& design) cons
     std::vector<double> rows;
     for (const Aim& aim : m_aims)
         rows.push_back(aim.weight * (aim.normal.dot(places[aim.vertex]) - aim.height));
-    if (m_goals.keepShape > 0)
-        for (const Aim& kept : m_kept)
-            rows.push_back(m_goals.keepShape * kept.weight * (kept.normal.dot(places[kept.vertex]) - kept.height));
     if (m_goals.strain)
         addStrain(cover, places, rows);
     addPattern(design, rows);
@@ -263,14 +270,16 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
 {
     FitFigures figures;
     const std::vector<Vec3> places = vertexPlaces(cover);
+    WorkerPool pool(0);
+    const SurfaceMeshPtr surface = cover.surface();
     if (!m_goals.target.empty()) {
-        WorkerPool pool(0);
-        const ScanFigures found =
-            measureScan(*cover.surface(), m_goals.target.place, m_goals.target.index, pool).figures;
+        const ScanFigures found = measureScan(*surface, m_goals.target.place, m_goals.target.index, pool).figures;
         figures.distanceRms = found.rms;
         figures.distanceP95 = found.p95;
         figures.covered = found.coverage;
     }
+    if (!m_kept.empty())
+        figures.shapeRms = measureScan(*surface, m_kept.place, m_kept.index, pool).figures.rms;
     double all = 0, over = 0, squares = 0;
     eachStrain(cover, places, [&](const auto& strains, const auto& limits, double area) {
         bool isOver = false;
@@ -282,14 +291,9 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
     });
     figures.overLimit = all > 0 ? over / all : 0;
     figures.strainRms = all > 0 ? std::sqrt(squares / all) : 0;
-    double moved = 0;
-    if (m_kept.size() == places.size())
-        for (const Aim& kept : m_kept)
-            moved += std::pow(kept.weight * (kept.normal.dot(places[kept.vertex]) - kept.height), 2);
-    figures.shapeRms = std::sqrt(moved);
     const std::vector<double> now = lengthDifferences(design);
-    for (std::size_t k = 0; k < now.size() && k < m_differences.size(); ++k)
-        figures.sewnMost = std::max(figures.sewnMost, std::abs(now[k] - m_differences[k]));
+    for (std::size_t k = 0; k < now.size() && k < m_wanted.size(); ++k)
+        figures.sewnMost = std::max(figures.sewnMost, std::abs(now[k] - m_wanted[k].difference));
     return figures;
 }
 

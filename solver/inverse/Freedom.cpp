@@ -13,6 +13,7 @@ namespace bolster {
 
 namespace {
 
+constexpr double smoothTurn = 0.9; // cosine: an outline that turns more at a point has a corner there
 constexpr double edgeOn = 0.3; // cosine: edges that meet flatter than that have no corner to be prolonged to
 
 const char* const axisNames[] = {"x", "y", "z"};
@@ -88,7 +89,7 @@ public:
         switch (freedom.kind) {
         case OutlinePoint:
             if (std::vector<Vec2>* points = outline(freedom.element))
-                (*points)[static_cast<std::size_t>(freedom.index)][freedom.axis] += value;
+                (*points)[static_cast<std::size_t>(freedom.index)] += value * freedom.direction;
             break;
         case Offset:
             if (std::vector<Vec2>* points = outline(freedom.element)) {
@@ -176,13 +177,23 @@ std::vector<Freedom> outlineFreedoms(const Design& design, std::span<const Eleme
     design.each<Patch>([&](ElementId id, const Patch& patch) {
         if (follows(design, patch) || (!patches.empty() && std::ranges::find(patches, id) == patches.end()))
             return;
-        for (int k = 0; k < patch.outline.pointCount(); ++k)
-            for (int axis = 0; axis < 2; ++axis)
+        for (int k = 0; k < patch.outline.pointCount(); ++k) {
+            const double at = patch.outline.parameterOfPoint(k);
+            const Side before = sideAt(patch.outline, at, true), after = sideAt(patch.outline, at, false);
+            const auto add = [&](const Vec2& direction, const char* word) {
                 freedoms.push_back({.kind = Freedom::Kind::OutlinePoint,
                                     .element = id,
                                     .index = k,
-                                    .axis = axis,
-                                    .name = patch.name + ", point " + std::to_string(k) + ", " + axisNames[axis]});
+                                    .direction = direction,
+                                    .name = patch.name + ", point " + std::to_string(k) + word});
+            };
+            if (before.along.dot(after.along) > smoothTurn) {
+                add(after.outward, "");
+            } else {
+                add(Vec2::UnitX(), ", x");
+                add(Vec2::UnitY(), ", y");
+            }
+        }
     });
     return freedoms;
 }

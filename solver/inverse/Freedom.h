@@ -14,7 +14,7 @@ namespace bolster {
 /// One number, 0 in the design as it is.
 struct Freedom {
     enum class Kind {
-        OutlinePoint, ///< control point `index` of patch `element` along `axis` of its plane, mm
+        OutlinePoint, ///< control point `index` of patch `element` along `direction` in its plane, mm
         Offset,       ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
         Size,         ///< patch `element` about its middle, %
         CurvePlace,   ///< fixation curve `element` as a whole along `axis`, mm
@@ -24,6 +24,7 @@ struct Freedom {
     Kind kind = Kind::OutlinePoint;
     ElementId element{};
     int index = 0;
+    Vec2 direction = Vec2::UnitX();
     int axis = 0;
     double from = 0, to = 0;
     std::string field = {};
@@ -34,7 +35,8 @@ struct Freedom {
 /// The design with all of that changed, and what goes with it (twins, what lies on outlines).
 Design withFreedoms(const Design& design, std::span<const Freedom> freedoms, const Eigen::VectorXd& values);
 
-/// Of every control point of these patches (none: all), but for those of twins that follow.
+/// Of every control point of these patches (none: all), but for those of twins that follow: across the outline,
+/// at corners in both directions. (Along the outline they would change nothing but the numbers.)
 std::vector<Freedom> outlineFreedoms(const Design& design, std::span<const ElementId> patches = {});
 /// What cushions are thick: dilation of cushions that act, and of their foam.
 std::vector<Freedom> foamFreedoms(const Design& design);

@@ -1,8 +1,10 @@
 #include "PatternFit.h"
 
 #include "DesignCheck.h"
+#include "FitRows.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -16,8 +18,14 @@ namespace {
 
 constexpr double fewVertices = 3000;   // of the first triangles, about
 constexpr double manyVertices = 12000; // of the last ones
+constexpr double restTolerance = 1e-5; // relative to D
 constexpr double worthIt = 1.7;        // times as many vertices as before
-constexpr double settled = 0.02;       // a round that makes less of the error than that is the last one
+constexpr double settled = 0.03;       // a round that makes less of the error than that is the last one
+constexpr double settledStep = 0.05;   // likewise of a step
+constexpr int mostStepsOfRound = 5;
+constexpr int mostAttempts = 5;
+constexpr int mostVerifications = 3;
+constexpr double sprang = 1.5; // times the cost that the last round had: the cover has come to rest elsewhere
 constexpr double leastEffect = 1e-7;   // of a freedom, against the strongest one
 
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
@@ -31,31 +39,29 @@ std::vector<double> edgesFor(const Design& design)
     return first * first > worthIt * last * last ? std::vector{first, last} : std::vector{last};
 }
 
-/// Freedoms that move points along one outline, and their neighbours: changes shall be smooth.
-struct Neighbours {
-    Eigen::Index before, here, after;
-};
-
-std::vector<Neighbours> neighboursOf(const Design& design, std::span<const Freedom> freedoms)
+/// Rows of second differences along an outline: what moves points shall move their neighbours alike.
+std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<const Freedom> freedoms, int& count)
 {
-    std::vector<Neighbours> found;
-    for (std::size_t k = 0; k < freedoms.size(); ++k) {
-        const Freedom& here = freedoms[k];
-        if (here.kind != Freedom::Kind::OutlinePoint)
-            continue;
-        const int count = design.find<Patch>(here.element)->outline.pointCount();
-        const auto at = [&](int index) {
-            return std::ranges::find_if(freedoms, [&](const Freedom& other) {
-                       return other.kind == here.kind && other.element == here.element &&
-                              other.axis == here.axis && other.index == (index + count) % count;
-                   }) -
-                   freedoms.begin();
-        };
-        const auto before = at(here.index - 1), after = at(here.index + 1);
-        if (before < std::ssize(freedoms) && after < std::ssize(freedoms))
-            found.push_back({before, static_cast<Eigen::Index>(k), after});
+    std::map<std::pair<ElementId, int>, std::vector<Eigen::Index>> at; // freedoms of each control point
+    for (std::size_t k = 0; k < freedoms.size(); ++k)
+        if (freedoms[k].kind == Freedom::Kind::OutlinePoint)
+            at[{freedoms[k].element, freedoms[k].index}].push_back(static_cast<Eigen::Index>(k));
+    std::vector<Eigen::Triplet<double>> entries;
+    count = 0;
+    for (const auto& [point, here] : at) {
+        if (here.size() != 1)
+            continue; // a corner
+        const auto& [patch, index] = point;
+        const int points = design.find<Patch>(patch)->outline.pointCount();
+        const Vec2 direction = freedoms[static_cast<std::size_t>(here.front())].direction;
+        for (const auto& [offset, weight] : {std::pair(-1, 1.0), std::pair(0, -2.0), std::pair(1, 1.0)})
+            if (const auto found = at.find({patch, (index + offset + points) % points}); found != at.end())
+                for (const Eigen::Index k : found->second)
+                    entries.emplace_back(count, k,
+                                         weight * freedoms[static_cast<std::size_t>(k)].direction.dot(direction));
+        ++count;
     }
-    return found;
+    return entries;
 }
 
 class Fit {
@@ -66,7 +72,6 @@ public:
         , m_order(order)
         , m_progress(progress)
         , m_stop(stop)
-        , m_neighbours(neighboursOf(input.design, order.freedoms))
         , m_rows(order.goals, order.locks, input.design)
     {
         m_result.design = input.design;
@@ -74,20 +79,27 @@ public:
         m_scale.resize(std::ssize(order.freedoms));
         for (Eigen::Index k = 0; k < m_scale.size(); ++k)
             m_scale[k] = order.freedoms[static_cast<std::size_t>(k)].step;
+        int count = 0;
+        const auto entries = smoothRows(input.design, order.freedoms, count);
+        Eigen::SparseMatrix<double> rows(count, m_scale.size());
+        rows.setFromTriplets(entries.begin(), entries.end());
+        m_change = 4 * Eigen::MatrixXd(rows.transpose() * rows);
+        m_change.diagonal().array() += 1;
+        m_change *= order.locks.change * order.locks.change;
     }
 
     FitResult run()
     {
         const std::vector<double> edges = edgesFor(m_input.design);
-        m_stages = static_cast<int>(edges.size());
-        for (m_stage = 0; m_stage < m_stages; ++m_stage)
-            if (!onTriangles(edges[static_cast<std::size_t>(m_stage)]))
-                break;
-        if (m_stop.stop_requested())
-            m_result.status = FitResult::Status::Cancelled;
-        else if (m_result.reason.empty())
+        m_stages = static_cast<int>(edges.size()) + 1;
+        bool whole = begin(edges.front());
+        for (m_stage = 0; whole && m_stage < m_stages - 1; ++m_stage)
+            whole = goOn(edges[static_cast<std::size_t>(m_stage)]) && improve(edges[static_cast<std::size_t>(m_stage)]);
+        if (whole && verify(edges.back()))
             m_result.status =
                 m_result.values.isZero() ? FitResult::Status::NothingToDo : FitResult::Status::Done;
+        if (m_stop.stop_requested())
+            m_result.status = FitResult::Status::Cancelled;
         return std::move(m_result);
     }
 
@@ -108,63 +120,130 @@ private:
     double changeCost(const Eigen::VectorXd& values) const
     {
         const Eigen::VectorXd steps = values.cwiseQuotient(m_scale);
-        double cost = m_order.locks.change * m_order.locks.change * steps.squaredNorm();
-        for (const Neighbours& n : m_neighbours)
-            cost += std::pow(2 * m_order.locks.change * (steps[n.before] - 2 * steps[n.here] + steps[n.after]), 2);
-        return cost;
+        return steps.dot(m_change * steps);
     }
 
-    /// Second derivatives of that cost, halved, in steps.
-    Eigen::MatrixXd changeMatrix() const
+    WarmOrder orderFor(double edge) const
     {
-        const double w = m_order.locks.change * m_order.locks.change;
-        Eigen::MatrixXd matrix = w * Eigen::MatrixXd::Identity(m_scale.size(), m_scale.size());
-        for (const Neighbours& n : m_neighbours) {
-            const std::array<std::pair<Eigen::Index, double>, 3> row{
-                std::pair(n.before, 1.0), std::pair(n.here, -2.0), std::pair(n.after, 1.0)};
-            for (const auto& [i, a] : row)
-                for (const auto& [j, b] : row)
-                    matrix(i, j) += 4 * w * a * b;
-        }
-        return matrix;
+        WarmOrder order;
+        order.edgeLength = edge;
+        order.tolerance = restTolerance;
+        return order;
     }
 
-    bool onTriangles(double edge)
+    /// The cover of a design as it comes to rest by itself; null when it has none.
+    std::unique_ptr<WarmCover> coverOf(const Design& design, double edge)
     {
-        WarmOrder warm;
-        warm.edgeLength = edge;
-        warm.tolerance = 1e-5;
-        CoverTeam team(m_input, warm, m_order.threads, m_stop);
-        if (!team.problem().empty())
-            return fail(team.problem());
-        if (m_stop.stop_requested())
+        WarmOrder order = orderFor(edge);
+        order.threads = m_order.threads;
+        auto cover = std::make_unique<WarmCover>(SolveInput(design, m_input.files), order, m_stop);
+        if (cover->problem().empty())
+            return cover;
+        fail(cover->problem());
+        return nullptr;
+    }
+
+    Design designAt(const Eigen::VectorXd& values) const
+    {
+        return withFreedoms(m_input.design, m_order.freedoms, values);
+    }
+
+    bool begin(double edge)
+    {
+        const auto cover = coverOf(m_input.design, edge);
+        if (!cover || m_stop.stop_requested())
             return false;
-        m_rows.keep(team.first());
-        m_rows.aim(team.first());
-        m_result.before = m_rows.figures(team.first(), m_input.design);
+        m_rows.keep(*cover);
+        m_result.before = m_rows.figures(*cover, m_input.design);
         if (!m_order.goals.target.empty() && m_result.before.covered == 0)
             return fail({QT_TRANSLATE_NOOP("Message", "No place of the cover is near the form: put it where the "
                                                       "cover is, in millimetres."),
                          {}});
-        if (!m_result.values.isZero() && !team.moveHome(m_result.design, m_stop))
+        return true;
+    }
+
+    double costOn(const WarmCover& cover, const Eigen::VectorXd& values, const Design& design)
+    {
+        m_rows.aim(cover);
+        return costOf(m_rows.rows(cover, design), values);
+    }
+
+    /// From what fewer triangles have led to, or half of it, or nothing: what is best on these.
+    bool goOn(double edge)
+    {
+        if (m_stage == 0)
+            return true;
+        const Eigen::VectorXd found = m_result.values;
+        double least = std::numeric_limits<double>::infinity();
+        for (const double share : {0.0, 0.5, 1.0}) {
+            const Eigen::VectorXd values = share * found;
+            const Design design = designAt(values);
+            const auto cover = coverOf(design, edge);
+            if (!cover || m_stop.stop_requested())
+                return false;
+            if (share == 0) {
+                m_rows.keep(*cover);
+                m_result.before = m_rows.figures(*cover, design);
+            }
+            if (const double cost = costOn(*cover, values, design); cost < least) {
+                least = cost;
+                m_result.values = values;
+                m_result.design = design;
+            }
+        }
+        return true;
+    }
+
+    /// Rounds until they lead no farther.
+    bool improve(double edge)
+    {
+        CoverTeam team({m_result.design, m_input.files}, orderFor(edge), m_order.threads, m_stop);
+        if (!team.problem().empty())
             return fail(team.problem());
         double damping = 1e-3;
         for (int round = 0; round < m_order.mostRounds; ++round) {
-            report(team, edge, static_cast<double>(round) / m_order.mostRounds);
+            if (m_stop.stop_requested())
+                return false;
+            report(team.first(), edge, static_cast<double>(round) / m_order.mostRounds);
             const Outcome outcome = step(team, damping, round);
-            if (m_stop.stop_requested() || !m_result.reason.empty())
+            if (!m_result.reason.empty())
                 return false;
             if (outcome != Outcome::Better)
                 break;
         }
-        m_result.after = m_rows.figures(team.first(), m_result.design);
-        report(team, edge, 1);
-        return true;
+        return !m_stop.stop_requested();
     }
 
-    void report(CoverTeam& team, double edge, double share)
+    /// What counts is the cover of the changed pattern as it comes to rest by itself: that it was found on the way
+    /// may have led to other folds. Then it goes on from there.
+    bool verify(double edge)
     {
-        FitRound round{edge, m_rows.figures(team.first(), m_result.design),
+        Eigen::VectorXd best = Eigen::VectorXd::Zero(m_result.values.size());
+        double least = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < mostVerifications; ++round) {
+            const auto cover = coverOf(m_result.design, edge);
+            if (!cover || m_stop.stop_requested())
+                return false;
+            const double cost = costOn(*cover, m_result.values, m_result.design);
+            const bool expected = cost < sprang * m_reached;
+            if (cost < least) {
+                least = cost;
+                best = m_result.values;
+                m_result.after = m_rows.figures(*cover, m_result.design);
+            }
+            if (round > 0)
+                m_result.jumped = m_result.jumped || !expected;
+            if (expected || round + 1 == mostVerifications || !improve(edge))
+                break;
+        }
+        m_result.values = best;
+        m_result.design = designAt(best);
+        return !m_stop.stop_requested();
+    }
+
+    void report(const WarmCover& cover, double edge, double share)
+    {
+        FitRound round{edge, m_rows.figures(cover, m_result.design),
                        largestChange(m_order.freedoms, m_result.values)};
         m_result.rounds.push_back(round);
         if (m_progress)
@@ -173,13 +252,14 @@ private:
 
     enum class Outcome { Better, Settled };
 
+    /// Derivatives once, and several steps with them: they change little, and cost most of the time.
     Outcome step(CoverTeam& team, double& damping, int round)
     {
         m_rows.aim(team.first());
         const CoverMeasure measure = [this](const WarmCover& cover, const Design& design) {
             return m_rows.rows(cover, design);
         };
-        const Eigen::VectorXd now = measure(team.first(), m_result.design);
+        Eigen::VectorXd now = measure(team.first(), m_result.design);
         const auto tell = [&](double share) {
             if (m_progress)
                 m_progress((m_stage + (round + share) / m_order.mostRounds) / m_stages, m_result.rounds.back());
@@ -194,31 +274,45 @@ private:
         }
         Eigen::MatrixXd jacobian = derivatives.columns * m_scale.asDiagonal(); // by steps
         noteIdle(jacobian, derivatives.known);
-        const double cost = costOf(now, m_result.values);
-        const Eigen::MatrixXd squares = jacobian.transpose() * jacobian + changeMatrix();
+        const double first = costOf(now, m_result.values);
+        double cost = first;
+        for (int k = 0; k < mostStepsOfRound && !m_stop.stop_requested(); ++k) {
+            const double before = cost;
+            if (!takeStep(team, jacobian, now, cost, damping) || before - cost < settledStep * before)
+                break;
+        }
+        m_reached = cost;
+        return first - cost > settled * first ? Outcome::Better : Outcome::Settled;
+    }
+
+    /// False when no step makes it better. Derivatives learn from every step that is tried (Broyden).
+    bool takeStep(CoverTeam& team, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost, double& damping)
+    {
+        const Eigen::MatrixXd squares = jacobian.transpose() * jacobian + m_change;
         const Eigen::VectorXd slope =
-            jacobian.transpose() * now + changeMatrix() * m_result.values.cwiseQuotient(m_scale);
-        for (int attempt = 0; attempt < 6; ++attempt, damping *= 8) {
+            jacobian.transpose() * now + m_change * m_result.values.cwiseQuotient(m_scale);
+        for (int attempt = 0; attempt < mostAttempts && !m_stop.stop_requested(); ++attempt, damping *= 8) {
             const Eigen::VectorXd values = bounded(squares, slope, damping);
-            const Design design = withFreedoms(m_input.design, m_order.freedoms, values);
-            if (!isWhole(design))
+            const Design design = designAt(values);
+            if (!isWhole(design) || !team.first().follow(design, m_stop))
                 continue;
-            if (!team.first().follow(design, m_stop))
-                continue;
-            const double reached = costOf(m_rows.rows(team.first(), design), values);
+            const Eigen::VectorXd rows = m_rows.rows(team.first(), design);
+            const double reached = costOf(rows, values);
             if (!(reached < cost))
                 continue;
             const Eigen::VectorXd moved = (values - m_result.values).cwiseQuotient(m_scale);
-            const double predicted = (now + jacobian * moved).squaredNorm() + changeCost(values);
-            m_result.jumped = m_result.jumped || reached - predicted > 0.5 * (cost - predicted);
+            const Eigen::VectorXd expected = now + jacobian * moved;
+            jacobian += (rows - expected) * moved.transpose() / moved.squaredNorm();
             if (!team.moveHome(design, m_stop))
-                return Outcome::Settled;
+                return false;
             m_result.values = values;
             m_result.design = design;
+            now = rows;
+            cost = reached;
             damping = std::max(damping / 8, 1e-6);
-            return cost - reached > settled * cost ? Outcome::Better : Outcome::Settled;
+            return true;
         }
-        return Outcome::Settled;
+        return false;
     }
 
     /// The step of least squares, each control point no farther than it may go from where it was.
@@ -297,10 +391,11 @@ private:
     const FitOrder& m_order;
     const std::function<void(double, const FitRound&)>& m_progress;
     const std::stop_token& m_stop;
-    std::vector<Neighbours> m_neighbours;
     FitRows m_rows;
-    Eigen::VectorXd m_scale; // steps of the freedoms
+    Eigen::VectorXd m_scale;  // steps of the freedoms
+    Eigen::MatrixXd m_change; // the cost of a change is a form of squares of its steps
     FitResult m_result;
+    double m_reached = 0; // cost of the last round
     int m_stage = 0, m_stages = 1;
 };
 

@@ -1,7 +1,14 @@
 // A pattern that follows a goal: what of it may change, changes until the cover at rest is as it is wished.
 #pragma once
 
-#include "FitRows.h"
+#include "FitGoals.h"
+#include "Freedom.h"
+#include "SolveInput.h"
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
 
 namespace bolster {
 

@@ -1,0 +1,51 @@
+// What a pattern is to be changed for, what shall stay, and how far it is from there.
+#pragma once
+
+#include "ElementId.h"
+#include "ScanIndex.h"
+#include "TriangleMesh.h"
+
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace bolster {
+
+/// A form that the cover shall lie on: points, or those of a mesh.
+struct FitTarget {
+    Scan place;
+    std::shared_ptr<const ScanIndex> index;
+    bool empty() const { return !index || index->empty(); }
+};
+
+/// Of a mesh (mm): points on its triangles, about as dense as the cover's vertices need them.
+FitTarget targetOf(const TriangleMesh& mesh);
+FitTarget targetOf(const Scan& scan, const PointCloud& cloud);
+
+struct FitGoals {
+    FitTarget target;            ///< weight 1: what counts is the mean square distance, mm
+    double targetWeight = 1;     ///
+    bool strain = false;         ///< to be below the fabrics' limits
+    std::optional<double> limit; ///< in %, in their place
+    double strainWeight = 2;     ///< 1 % over the limit is as bad as 1 mm
+    double keepShape = 0;        ///< weight of the distance from where the cover is now
+    std::set<ElementId> patches; ///< that the target and the limits are about; none: all
+};
+
+struct FitLocks {
+    bool lengths = true;  ///< sides of seams keep their difference; when that is far from their ease they come nearer to it
+    bool straight = true; ///< edges that are straight stay so
+    bool corners = false; ///< keep their angles
+    double change = 0.005; ///< weight of 1 mm that a control point moves
+};
+
+struct FitFigures {
+    double distanceRms = 0, distanceP95 = 0; ///< mm, where there is a target
+    double covered = 0;                      ///< share of the cover that has one
+    double overLimit = 0;                    ///< share of the cover's area whose strain is over the limit
+    double strainRms = 0;                    ///< 1
+    double shapeRms = 0;                     ///< mm, from where the cover was
+    double sewnMost = 0; ///< mm: how far the difference of a seam's sides is from what is wanted
+};
+
+} // namespace bolster

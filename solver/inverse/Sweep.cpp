@@ -1,0 +1,203 @@
+#include "Sweep.h"
+
+#include "CoverTeam.h"
+#include "SurfaceMeasures.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+namespace bolster {
+
+namespace {
+
+constexpr int blockOfVertices = 256;
+
+/// Of the values' sizes.
+void summarise(SweepSample& sample)
+{
+    std::vector<float> sizes;
+    double squares = 0;
+    for (const float value : sample.outside) {
+        sizes.push_back(std::abs(value));
+        squares += static_cast<double>(value) * value;
+    }
+    if (sizes.empty())
+        return;
+    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+    std::ranges::nth_element(sizes, sizes.begin() + place);
+    sample.p95 = sizes[static_cast<std::size_t>(place)];
+    sample.rms = std::sqrt(squares / static_cast<double>(sizes.size()));
+    sample.most = *std::ranges::max_element(sizes);
+}
+
+float percentile95(std::vector<float>& sizes)
+{
+    if (sizes.empty())
+        return 0;
+    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+    std::ranges::nth_element(sizes, sizes.begin() + place);
+    return sizes[static_cast<std::size_t>(place)];
+}
+
+/// How many spreads of each tolerance.
+Eigen::VectorXf spreadsOf(const Tolerances& tolerances, std::uint64_t number)
+{
+    Eigen::VectorXf spreads = sampleOf(tolerances, number).cast<float>();
+    for (Eigen::Index k = 0; k < spreads.size(); ++k)
+        spreads[k] /= static_cast<float>(tolerances.all[static_cast<std::size_t>(k)].spread);
+    return spreads;
+}
+
+} // namespace
+
+struct Sweep::Team {
+    CoverTeam covers;
+
+    /// Per vertex of the nominal cover.
+    std::vector<float> outside(const WarmCover& cover, const SurfaceMesh& nominal) const
+    {
+        const Eigen::Matrix3Xd positions = cover.state().positions;
+        const Eigen::Matrix3Xd& home = cover.home().positions;
+        const std::vector<std::uint32_t>& unknown = nominal.topology->unknown;
+        std::vector<float> values(unknown.size());
+        for (std::size_t v = 0; v < unknown.size(); ++v) {
+            const Vec3 move = positions.col(unknown[v]) - home.col(unknown[v]);
+            // A thousandth of a millimetre: what comes after it depends on the processor.
+            values[v] = std::round(static_cast<float>(nominal.normals[v].cast<double>().dot(move)) * 1000) / 1000;
+        }
+        return values;
+    }
+};
+
+Sweep::Sweep(const SolveInput& input, Tolerances tolerances, int threads, const std::stop_token& stop)
+    : m_tolerances(std::move(tolerances))
+    , m_design(input.design)
+    , m_team(std::make_unique<Team>(CoverTeam(input, {}, threads, stop)))
+{
+    if (m_team->covers.problem().empty() && !stop.stop_requested())
+        m_nominal = m_team->covers.first().surface();
+}
+
+Sweep::~Sweep() = default;
+
+const Message& Sweep::problem() const
+{
+    return m_team->covers.problem();
+}
+
+Eigen::MatrixXf Sweep::linear(const std::function<void(double)>& progress, const std::stop_token& stop)
+{
+    const int count = static_cast<int>(m_tolerances.all.size());
+    Eigen::MatrixXf result = Eigen::MatrixXf::Zero(std::ssize(m_nominal->positions), count);
+    std::atomic<int> done = 0;
+    std::mutex mutex; // of the progress
+    m_team->covers.forTasks(count, [&](WarmCover& cover, int k) {
+        if (stop.stop_requested())
+            return;
+        const double spread = m_tolerances.all[static_cast<std::size_t>(k)].spread;
+        Eigen::VectorXf sum = Eigen::VectorXf::Zero(result.rows());
+        int sides = 0;
+        for (const double side : {1.0, -1.0}) {
+            Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
+            values[k] = side * spread;
+            if (!cover.follow(sampleDesign(m_design, m_tolerances, values), stop))
+                continue;
+            const std::vector<float> outside = m_team->outside(cover, *m_nominal);
+            sum += static_cast<float>(side) * Eigen::Map<const Eigen::VectorXf>(outside.data(), result.rows());
+            ++sides;
+        }
+        if (sides > 0)
+            result.col(k) = sum / static_cast<float>(sides);
+        const std::scoped_lock lock(mutex);
+        if (progress)
+            progress(static_cast<double>(++done) / count);
+    });
+    return result;
+}
+
+std::vector<SweepSample> Sweep::solve(std::uint64_t first, int count, const std::stop_token& stop)
+{
+    std::vector<SweepSample> samples(static_cast<std::size_t>(count));
+    m_team->covers.forTasks(count, [&](WarmCover& cover, int k) {
+        SweepSample& sample = samples[static_cast<std::size_t>(k)];
+        sample.number = first + static_cast<std::uint64_t>(k);
+        const Design design = sampleDesign(m_design, m_tolerances, sampleOf(m_tolerances, sample.number));
+        if (stop.stop_requested() || !cover.follow(design, stop))
+            return;
+        sample.outside = m_team->outside(cover, *m_nominal);
+        sample.strain = measureSurface(cover.sheet(), cover.state()).strain.p99;
+        summarise(sample);
+    });
+    return samples;
+}
+
+SweepSample linearSample(const Eigen::MatrixXf& linear, const Tolerances& tolerances, std::uint64_t number)
+{
+    SweepSample sample;
+    sample.number = number;
+    const Eigen::VectorXf outside = linear * spreadsOf(tolerances, number);
+    sample.outside.assign(outside.begin(), outside.end());
+    summarise(sample);
+    return sample;
+}
+
+std::vector<float> linearP95(const Eigen::MatrixXf& linear, const Tolerances& tolerances, int samples,
+                             const std::stop_token& stop)
+{
+    Eigen::MatrixXf spreads(linear.cols(), samples);
+    for (int s = 0; s < samples; ++s)
+        spreads.col(s) = spreadsOf(tolerances, static_cast<std::uint64_t>(s));
+    std::vector<float> result(static_cast<std::size_t>(linear.rows()), 0);
+    WorkerPool pool(0);
+    const int blocks = static_cast<int>((linear.rows() + blockOfVertices - 1) / blockOfVertices);
+    pool.forTasks(blocks, [&](int b) {
+        if (stop.stop_requested())
+            return;
+        const Eigen::Index begin = static_cast<Eigen::Index>(b) * blockOfVertices;
+        const Eigen::Index rows = std::min<Eigen::Index>(blockOfVertices, linear.rows() - begin);
+        const Eigen::MatrixXf outside = (linear.middleRows(begin, rows) * spreads).cwiseAbs();
+        std::vector<float> sizes(static_cast<std::size_t>(samples));
+        for (Eigen::Index r = 0; r < rows; ++r) {
+            for (int s = 0; s < samples; ++s)
+                sizes[static_cast<std::size_t>(s)] = outside(r, s);
+            result[static_cast<std::size_t>(begin + r)] = percentile95(sizes);
+        }
+    });
+    return result;
+}
+
+std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples)
+{
+    std::vector<float> result;
+    std::size_t vertices = 0;
+    for (const SweepSample* sample : samples)
+        vertices = std::max(vertices, sample->outside.size());
+    std::vector<float> sizes;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        sizes.clear();
+        for (const SweepSample* sample : samples)
+            if (sample->outside.size() == vertices)
+                sizes.push_back(std::abs(sample->outside[v]));
+        result.push_back(percentile95(sizes));
+    }
+    return result;
+}
+
+std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,
+                               const std::vector<double>& vertexAreas)
+{
+    const Eigen::Map<const Eigen::VectorXd> areas(vertexAreas.data(), std::ssize(vertexAreas));
+    std::vector<double> shares;
+    double all = 0;
+    for (std::size_t k = 0; k < tolerances.all.size(); ++k) {
+        shares.push_back(areas.dot(linear.col(static_cast<Eigen::Index>(k)).cast<double>().cwiseAbs2()));
+        all += shares.back();
+    }
+    for (double& share : shares)
+        share = all > 0 ? share / all : 0;
+    return shares;
+}
+
+} // namespace bolster

@@ -1,0 +1,62 @@
+// Where a cover varies when what it is made of does.
+#pragma once
+
+#include "SolveInput.h"
+#include "SurfaceMesh.h"
+#include "Tolerances.h"
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace bolster {
+
+/// How far each vertex lies outside of where it should be, mm, along the normal there. `strain`: the largest that
+/// 99 % of the cover do not exceed, 1.
+struct SweepSample {
+    std::uint64_t number = 0;
+    std::vector<float> outside; ///< empty: no cover came to rest
+    double rms = 0, p95 = 0, most = 0; ///< mm, of the sizes
+    double strain = 0;
+};
+
+/// Samples of one design. Not for several threads at once; uses several itself.
+class Sweep {
+public:
+    Sweep(const SolveInput& input, Tolerances tolerances, int threads, const std::stop_token& stop = {});
+    ~Sweep();
+    Sweep(const Sweep&) = delete;
+    Sweep& operator=(const Sweep&) = delete;
+
+    /// Why there is no cover; empty when there is one.
+    const Message& problem() const;
+    const Tolerances& tolerances() const { return m_tolerances; }
+    SurfaceMeshPtr nominal() const { return m_nominal; }
+
+    /// What each tolerance does to each vertex: mm outwards for the whole of its spread. By central differences.
+    Eigen::MatrixXf linear(const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
+    /// Covers at rest of samples `first` .. `first + count - 1`. Each follows from its number alone.
+    std::vector<SweepSample> solve(std::uint64_t first, int count, const std::stop_token& stop = {});
+
+private:
+    struct Team;
+
+    Tolerances m_tolerances;
+    Design m_design;
+    std::unique_ptr<Team> m_team;
+    SurfaceMeshPtr m_nominal;
+};
+
+/// Of each vertex the size that 95 % of the samples do not exceed, mm. `linear` as of Sweep.
+std::vector<float> linearP95(const Eigen::MatrixXf& linear, const Tolerances& tolerances, int samples,
+                             const std::stop_token& stop = {});
+std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
+
+/// How much of the variance of the whole cover comes of each tolerance, as shares.
+std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,
+                               const std::vector<double>& vertexAreas);
+
+/// How far a sample would be from the nominal cover, if covers were linear.
+SweepSample linearSample(const Eigen::MatrixXf& linear, const Tolerances& tolerances, std::uint64_t number);
+
+} // namespace bolster
