@@ -26,6 +26,7 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
                                     make the pattern of a form (a mesh)
        bolster fit-pattern DESIGN --to GOAL --out DESIGN.json
                                     change a pattern until its cover fits a goal
+       bolster sweep DESIGN ...     say where the cover varies when tolerances do
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
@@ -55,6 +56,7 @@ const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
                             {"export", cli::exportHelp, cli::exportPattern},
                             {"flatten", cli::flattenHelp, cli::flattenForm},
                             {"fit-pattern", cli::fitPatternHelp, cli::fitPattern},
+                            {"sweep", cli::sweepHelp, cli::sweep},
                             {"convert", cli::convertHelp, cli::convert},
                             {"bench", cli::benchHelp, cli::bench}};
 

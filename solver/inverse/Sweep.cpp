@@ -4,9 +4,11 @@
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 namespace bolster {
 
@@ -41,12 +43,16 @@ float percentile95(std::vector<float>& sizes)
     return sizes[static_cast<std::size_t>(place)];
 }
 
-/// How many spreads of each tolerance.
+/// How many spreads of each tolerance: upwards and downwards, as the columns of Sweep::linear.
 Eigen::VectorXf spreadsOf(const Tolerances& tolerances, std::uint64_t number)
 {
-    Eigen::VectorXf spreads = sampleOf(tolerances, number).cast<float>();
-    for (Eigen::Index k = 0; k < spreads.size(); ++k)
-        spreads[k] /= static_cast<float>(tolerances.all[static_cast<std::size_t>(k)].spread);
+    const Eigen::VectorXd values = sampleOf(tolerances, number);
+    Eigen::VectorXf spreads(2 * values.size());
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+        const double spread = values[k] / tolerances.all[static_cast<std::size_t>(k)].spread;
+        spreads[2 * k] = static_cast<float>(std::max(spread, 0.0));
+        spreads[2 * k + 1] = static_cast<float>(std::max(-spread, 0.0));
+    }
     return spreads;
 }
 
@@ -90,26 +96,25 @@ const Message& Sweep::problem() const
 Eigen::MatrixXf Sweep::linear(const std::function<void(double)>& progress, const std::stop_token& stop)
 {
     const int count = static_cast<int>(m_tolerances.all.size());
-    Eigen::MatrixXf result = Eigen::MatrixXf::Zero(std::ssize(m_nominal->positions), count);
+    Eigen::MatrixXf result = Eigen::MatrixXf::Zero(std::ssize(m_nominal->positions), 2 * count);
     std::atomic<int> done = 0;
     std::mutex mutex; // of the progress
     m_team->covers.forTasks(count, [&](WarmCover& cover, int k) {
         if (stop.stop_requested())
             return;
         const double spread = m_tolerances.all[static_cast<std::size_t>(k)].spread;
-        Eigen::VectorXf sum = Eigen::VectorXf::Zero(result.rows());
-        int sides = 0;
-        for (const double side : {1.0, -1.0}) {
+        std::array<std::optional<Eigen::VectorXf>, 2> sides;
+        for (const int side : {0, 1}) {
             Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
-            values[k] = side * spread;
+            values[k] = side == 0 ? spread : -spread;
             if (!cover.follow(sampleDesign(m_design, m_tolerances, values), stop))
                 continue;
             const std::vector<float> outside = m_team->outside(cover, *m_nominal);
-            sum += static_cast<float>(side) * Eigen::Map<const Eigen::VectorXf>(outside.data(), result.rows());
-            ++sides;
+            sides[side] = Eigen::Map<const Eigen::VectorXf>(outside.data(), result.rows());
         }
-        if (sides > 0)
-            result.col(k) = sum / static_cast<float>(sides);
+        for (const int side : {0, 1}) // where there is no cover on one side, that of the other one says what it knows
+            if (sides[side] || sides[1 - side])
+                result.col(2 * k + side) = sides[side] ? *sides[side] : Eigen::VectorXf(-*sides[1 - side]);
         const std::scoped_lock lock(mutex);
         if (progress)
             progress(static_cast<double>(++done) / count);
@@ -192,7 +197,7 @@ std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& 
     std::vector<double> shares;
     double all = 0;
     for (std::size_t k = 0; k < tolerances.all.size(); ++k) {
-        shares.push_back(areas.dot(linear.col(static_cast<Eigen::Index>(k)).cast<double>().cwiseAbs2()));
+        shares.push_back(areas.dot(linear.middleCols<2>(static_cast<Eigen::Index>(2 * k)).cast<double>().cwiseAbs2().rowwise().sum()));
         all += shares.back();
     }
     for (double& share : shares)

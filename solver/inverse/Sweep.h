@@ -33,7 +33,8 @@ public:
     const Tolerances& tolerances() const { return m_tolerances; }
     SurfaceMeshPtr nominal() const { return m_nominal; }
 
-    /// What each tolerance does to each vertex: mm outwards for the whole of its spread. By central differences.
+    /// What each tolerance does to each vertex: mm outwards for the whole of its spread upwards, and downwards, in
+    /// two columns: cloth that becomes slack does something else than cloth that becomes tight.
     Eigen::MatrixXf linear(const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
     /// Covers at rest of samples `first` .. `first + count - 1`. Each follows from its number alone.
     std::vector<SweepSample> solve(std::uint64_t first, int count, const std::stop_token& stop = {});

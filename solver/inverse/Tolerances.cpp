@@ -65,7 +65,10 @@ std::vector<Tolerance> seamTolerances(const Design& design, double spread)
 
 std::vector<Tolerance> foamTolerances(const Design& design, double spread)
 {
-    return each(foamFreedoms(design), spread);
+    std::vector<Tolerance> tolerances = each(foamFreedoms(design), spread);
+    for (Tolerance& tolerance : tolerances)
+        tolerance.whole = true;
+    return tolerances;
 }
 
 std::vector<Tolerance> fixationTolerances(const Design& design, double spread)
@@ -102,7 +105,10 @@ Eigen::VectorXd sampleOf(const Tolerances& tolerances, std::uint64_t number)
         if (tolerances.normal) // Box and Muller
             value = std::sqrt(-2 * std::log(mixed(tolerances.seed, number, which))) *
                     std::cos(2 * std::numbers::pi * mixed(tolerances.seed, number, which + 1)) / 3;
-        values[k] = value * tolerances.all[static_cast<std::size_t>(k)].spread;
+        const Tolerance& tolerance = tolerances.all[static_cast<std::size_t>(k)];
+        values[k] = value * tolerance.spread;
+        if (tolerance.whole)
+            values[k] = std::round(values[k]);
     }
     return values;
 }

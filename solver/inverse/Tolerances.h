@@ -11,6 +11,7 @@ struct Tolerance {
     std::vector<Freedom> freedoms; ///< that vary by the same number, each times its step
     double spread = 1;             ///< of that number: +- so much
     std::string name;
+    bool whole = false; ///< that number is a whole one
 };
 
 struct Tolerances {
@@ -23,7 +24,7 @@ struct Tolerances {
 std::vector<Tolerance> cutTolerances(const Design& design, double spread);
 /// Each seam is sewn that much farther inside or outside, on both sides, mm.
 std::vector<Tolerance> seamTolerances(const Design& design, double spread);
-/// Each cushion and foam is that much thicker or thinner, mm.
+/// Each cushion and foam is that much thicker or thinner, mm; it grows by whole voxels.
 std::vector<Tolerance> foamTolerances(const Design& design, double spread);
 /// Each fixation curve lies that much elsewhere along each axis, mm.
 std::vector<Tolerance> fixationTolerances(const Design& design, double spread);

@@ -1,0 +1,337 @@
+#include "DesignJson.h"
+#include "Interrupt.h"
+#include "Output.h"
+#include "ProgressLine.h"
+#include "Slurm.h"
+#include "Solving.h"
+#include "Subcommands.h"
+#include "SweepFiles.h"
+#include "WholeFile.h"
+
+#include <QFile>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace bolster::cli {
+
+const char* const sweepHelp = R"(Usage: bolster sweep DESIGN --spec FILE --samples N --out DIR [options]
+
+Draws tolerances of making at random and says where the cover varies, which
+tolerance matters, and how many pieces are out of limits. First as if covers
+were linear, then by solving N of them.
+
+Options:
+  --spec FILE.json      what varies and by how much, and the limits (see the manual)
+  --samples N           covers to solve; 0: only the linear figures
+  --out DIR             a folder of its own; a sweep that was ended goes on there
+  --linear N            samples of the linear figures (10000)
+  --threads N           use N threads (0: as many as the machine has)
+  --part I/N            solves only every Nth portion of samples, from the Ith (0 to
+                        N-1) on, and writes no figures: for several machines
+  --slurm               lets jobs of Slurm solve them, waits, and writes the figures
+  --jobs N              jobs of an array (4)
+  --sbatch WORDS        more options for sbatch, with blanks between them
+
+Files: report.json, samples.csv, p95.ply (what 95 % of the samples do not exceed, mm,
+at each vertex), parts/.
+
+Exit code:
+  0  done
+  1  a file cannot be written, no cover, or interrupted
+  2  the design or FILE cannot be used, or wrong usage
+)";
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array sweepRules = {
+    OptionRule{"--spec", true},    OptionRule{"--samples", true}, OptionRule{"--out", true},
+    OptionRule{"--linear", true},  OptionRule{"--threads", true}, OptionRule{"--part", true},
+    OptionRule{"--slurm", false},  OptionRule{"--jobs", true},    OptionRule{"--sbatch", true}};
+
+struct Share {
+    int which = 0, of = 1;
+};
+
+Share shareOf(const Arguments& arguments)
+{
+    if (!arguments.has("--part"))
+        return {};
+    const QStringList words = arguments.path("--part").split('/');
+    bool whichIs = false, ofIs = false;
+    const Share share = words.size() == 2 ? Share{words[0].toInt(&whichIs), words[1].toInt(&ofIs)} : Share{};
+    if (!whichIs || !ofIs || share.of < 1 || share.which < 0 || share.which >= share.of)
+        throw UsageError("--part is I/N with I from 0 to N-1");
+    return share;
+}
+
+/// Solves what is missing of a share. Returns what went wrong.
+std::string solveMissing(Sweep& sweep, const SweepFolder& folder, const Share& share, const std::stop_token& stop)
+{
+    ProgressLine line("looking for what is there");
+    const std::size_t vertices = sweep.nominal()->positions.size();
+    for (int part = share.which; part < folder.parts(); part += share.of) {
+        if (stop.stop_requested())
+            return "interrupted";
+        if (folder.has(part, vertices))
+            continue;
+        line.say("part " + std::to_string(part + 1) + " of " + std::to_string(folder.parts()));
+        const std::vector<SweepSample> samples = sweep.solve(folder.firstOf(part), folder.countOf(part), stop);
+        if (stop.stop_requested())
+            return "interrupted";
+        if (const Message problem = folder.write(part, samples); !problem.empty())
+            return problem.english();
+    }
+    return {};
+}
+
+/// A third of the triangles around each vertex, mm^2.
+std::vector<double> areasOf(const SurfaceMesh& surface)
+{
+    std::vector<double> areas(surface.positions.size(), 0);
+    for (const auto& t : surface.topology->triangles) {
+        const Vec3& a = surface.positions[t[0]];
+        const double area = 0.5 * (surface.positions[t[1]] - a).cross(surface.positions[t[2]] - a).norm();
+        for (const std::uint32_t v : t)
+            areas[v] += area / 3;
+    }
+    return areas;
+}
+
+struct MapFigures {
+    double rms = 0, p95 = 0, most = 0;
+};
+
+MapFigures figuresOf(std::vector<float> map)
+{
+    MapFigures figures;
+    if (map.empty())
+        return figures;
+    double squares = 0;
+    for (const float value : map)
+        squares += static_cast<double>(value) * value;
+    figures.rms = std::sqrt(squares / static_cast<double>(map.size()));
+    std::ranges::sort(map);
+    figures.p95 = map[static_cast<std::size_t>(0.95 * static_cast<double>(map.size() - 1))];
+    figures.most = map.back();
+    return figures;
+}
+
+Json asJson(const MapFigures& figures)
+{
+    return {{"rms_mm", figures.rms}, {"p95_mm", figures.p95}, {"max_mm", figures.most}};
+}
+
+std::string plyOf(const SurfaceMesh& surface, const std::vector<float>& linear, const std::vector<float>& solved)
+{
+    std::string text = "ply\nformat ascii 1.0\ncomment mm, z up; what 95 % of the samples do not exceed, in mm\n";
+    text += "element vertex " + std::to_string(surface.positions.size()) +
+            "\nproperty float x\nproperty float y\nproperty float z\nproperty float linear_p95\n";
+    text += solved.empty() ? "" : "property float p95\n";
+    text += "element face " + std::to_string(surface.topology->triangles.size()) +
+            "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+        for (int axis = 0; axis < 3; ++axis)
+            text += numberText(surface.positions[v][axis], 7) + " ";
+        text += numberText(linear[v], 4);
+        if (!solved.empty())
+            text.append(" ").append(numberText(solved[v], 4));
+        text += "\n";
+    }
+    for (const auto& t : surface.topology->triangles)
+        text.append("3 ").append(std::to_string(t[0])).append(" ").append(std::to_string(t[1])).append(" ").append(
+            std::to_string(t[2])).append("\n");
+    return text;
+}
+
+bool isOut(const SweepSample& sample, const SweepSpec& spec)
+{
+    return (spec.limitDistance && sample.p95 > *spec.limitDistance) ||
+           (spec.limitStrain && sample.strain > *spec.limitStrain);
+}
+
+class Figures {
+public:
+    Figures(Sweep& sweep, const SweepSpec& spec, int linearSamples, const std::stop_token& stop)
+        : m_sweep(sweep)
+        , m_spec(spec)
+        , m_count(linearSamples)
+        , m_stop(stop)
+    {
+        ProgressLine line("derivatives");
+        m_linear = sweep.linear(
+            [&](double share) { line.say("derivatives, " + numberText(std::floor(100 * share), 3) + " %"); }, stop);
+        line.say("linear samples");
+        m_linearP95 = linearP95(m_linear, spec.tolerances, linearSamples, stop);
+    }
+
+    /// Returns what went wrong.
+    std::string write(const SweepFolder& folder, int samples)
+    {
+        const std::size_t vertices = m_sweep.nominal()->positions.size();
+        std::vector<SweepSample> solved;
+        for (int part = 0; part < folder.parts(); ++part)
+            for (SweepSample& sample : folder.read(part, vertices))
+                solved.push_back(std::move(sample));
+        std::vector<const SweepSample*> resting;
+        for (const SweepSample& sample : solved)
+            if (!sample.outside.empty())
+                resting.push_back(&sample);
+        const std::vector<float> map = solvedP95(resting);
+        if (std::ssize(solved) != samples)
+            return "samples are missing";
+        for (const auto& [name, text] :
+             {std::pair("report.json", report(solved, resting, map).dump(1) + "\n"),
+              std::pair("samples.csv", csvOf(solved)),
+              std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_linearP95, map))})
+            if (const Message problem = replaceWholeFile(folder.file(name), text); !problem.empty())
+                return problem.english();
+        return {};
+    }
+
+private:
+    Json report(const std::vector<SweepSample>& solved, const std::vector<const SweepSample*>& resting,
+                const std::vector<float>& map)
+    {
+        const MapFigures linear = figuresOf(m_linearP95), found = figuresOf(map);
+        Json report{{"linear", {{"samples", m_count}, {"p95", asJson(linear)}}}};
+        printResult("linear: 95 % of the samples stay within " + numberText(linear.rms, 3) +
+                    " mm (rms over the cover), " + numberText(linear.most, 3) + " mm where it is most");
+        if (!solved.empty()) {
+            const auto out = std::ranges::count_if(solved, [&](const SweepSample& s) { return isOut(s, m_spec); });
+            report["solved"] = {{"samples", solved.size()},
+                                {"without_cover", solved.size() - resting.size()},
+                                {"out_of_limits", out},
+                                {"p95", asJson(found)}};
+            printResult("solved: within " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) +
+                        " mm; " + std::to_string(out) + " of " + std::to_string(solved.size()) +
+                        " pieces are out of limits");
+            if (resting.size() < solved.size())
+                printError("warning: " + std::to_string(solved.size() - resting.size()) +
+                           " samples have no cover at rest on the same triangles");
+        }
+        report["influence"] = influence();
+        return report;
+    }
+
+    Json influence()
+    {
+        const std::vector<Tolerance>& all = m_spec.tolerances.all;
+        const std::vector<double> shares = influences(m_linear, m_spec.tolerances, areasOf(*m_sweep.nominal()));
+        std::vector<std::size_t> order(all.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t k) { return shares[k]; });
+        Json list = Json::array();
+        for (std::size_t place = 0; place < order.size(); ++place) {
+            const std::size_t k = order[place];
+            list.push_back({{"name", all[k].name},
+                            {"share", shares[k]},
+                            {"most_mm", m_linear.middleCols<2>(static_cast<Eigen::Index>(2 * k)).cwiseAbs().maxCoeff()}});
+            if (place < 3)
+                printResult(numberText(100 * shares[k], 3) + " % of the variance: " + all[k].name);
+        }
+        return list;
+    }
+
+    std::string csvOf(const std::vector<SweepSample>& solved) const
+    {
+        std::string text = "sample,rms_mm,p95_mm,max_mm,strain_p99,out\n";
+        for (const SweepSample& sample : solved) {
+            text += std::to_string(sample.number);
+            for (const double value : {sample.rms, sample.p95, sample.most, sample.strain})
+                text.append(",").append(sample.outside.empty() ? std::string() : numberText(value, 6));
+            text += isOut(sample, m_spec) ? ",1\n" : ",0\n";
+        }
+        return text;
+    }
+
+    Sweep& m_sweep;
+    const SweepSpec& m_spec;
+    int m_count;
+    std::stop_token m_stop;
+    Eigen::MatrixXf m_linear;
+    std::vector<float> m_linearP95;
+};
+
+/// What every job does.
+SlurmOrder slurmOrder(const Arguments& arguments, const QString& design)
+{
+    SlurmOrder order;
+    order.folder = arguments.path("--out");
+    order.jobs = arguments.integer("--jobs", order.jobs, 1, 10'000);
+    order.command = {QFile::symLinkTarget("/proc/self/exe"), "sweep", design};
+    for (const char* option : {"--spec", "--samples", "--out", "--threads"})
+        if (arguments.has(option))
+            order.command += {option, arguments.path(option)};
+    order.options = arguments.path("--sbatch").split(' ', Qt::SkipEmptyParts);
+    return order;
+}
+
+} // namespace
+
+int sweep(std::span<const std::string> words)
+{
+    const Arguments arguments(words, sweepRules);
+    const QString path = arguments.onlyFile("DESIGN");
+    if (arguments.path("--spec").isEmpty() || arguments.path("--out").isEmpty() || !arguments.has("--samples"))
+        throw UsageError("--spec FILE, --samples N and --out DIR are needed");
+    const int samples = arguments.integer("--samples", 0, 0, 1'000'000);
+    const int linear = arguments.integer("--linear", 10'000, 100, 1'000'000);
+    const Share share = shareOf(arguments);
+    Interrupt interrupt;
+    const OpenedDesign opened = openedShown(path);
+    if (hasErrors(opened.problems)) {
+        for (const Problem& problem : opened.problems)
+            if (problem.severity == Severity::Error)
+                printError("error: " + problem.english());
+        return badInput;
+    }
+    const SweepSpec spec = readSweepSpec(arguments.path("--spec"), opened.design);
+    SweepFolder folder(arguments.path("--out"),
+                       writeDesign(opened.design) + readWholeFile(arguments.path("--spec"), 1 << 20).bytes +
+                           std::to_string(samples),
+                       samples);
+    const auto fail = [](const std::string& problem) {
+        printError("error: " + problem);
+        return otherFailure;
+    };
+    if (const Message problem = folder.open(); !problem.empty())
+        return fail(problem.english());
+    Sweep sweep({opened.design, opened.files}, spec.tolerances, arguments.integer("--threads", 0, 0, 1024),
+                interrupt.token());
+    if (!sweep.nominal())
+        return fail(sweep.problem().empty() ? "interrupted" : sweep.problem().english());
+    std::string problem;
+    if (arguments.has("--slurm")) {
+        const std::size_t vertices = sweep.nominal()->positions.size();
+        problem = runOnSlurm(
+            slurmOrder(arguments, path),
+            [&] {
+                for (int part = 0; part < folder.parts(); ++part)
+                    if (!folder.has(part, vertices))
+                        return false;
+                return true;
+            },
+            [](const std::string& line) { printResult(line); }, interrupt.token());
+    } else {
+        problem = solveMissing(sweep, folder, share, interrupt.token());
+    }
+    if (!problem.empty())
+        return fail(problem);
+    if (arguments.has("--part"))
+        return done;
+    Figures figures(sweep, spec, linear, interrupt.token());
+    if (interrupt.token().stop_requested())
+        return fail("interrupted");
+    interrupt.beginWriting();
+    problem = figures.write(folder, samples);
+    return problem.empty() ? done : fail(problem);
+}
+
+} // namespace bolster::cli

@@ -1,0 +1,50 @@
+// The folder of a sweep: what was asked for, and the samples that are solved so far.
+#pragma once
+
+#include "Sweep.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace bolster::cli {
+
+/// What is read of `--spec`.
+struct SweepSpec {
+    Tolerances tolerances;
+    std::optional<double> limitDistance; ///< mm: of what 95 % of a cover do not exceed
+    std::optional<double> limitStrain;   ///< 1: of what 99 % of it do not exceed
+};
+
+/// docs/command-line.md has the keys. Throws UsageError, with the place.
+SweepSpec readSweepSpec(const QString& path, const Design& design);
+
+/// Samples in files of some dozens each, so that a sweep that was ended goes on where it was.
+class SweepFolder {
+public:
+    static constexpr int samplesOfPart = 20;
+
+    /// `asked`: design and spec as text; another one than that of the files that are there already is a problem.
+    SweepFolder(QString path, std::string asked, int samples);
+
+    /// Makes the folder, or says why not.
+    Message open();
+    int parts() const { return (m_samples + samplesOfPart - 1) / samplesOfPart; }
+    std::uint64_t firstOf(int part) const { return static_cast<std::uint64_t>(part) * samplesOfPart; }
+    int countOf(int part) const { return std::min(samplesOfPart, m_samples - part * samplesOfPart); }
+    QString file(const QString& name) const { return m_path + "/" + name; }
+
+    bool has(int part, std::size_t vertices) const;
+    Message write(int part, const std::vector<SweepSample>& samples) const;
+    /// Empty when the file is not there, or is not what was written.
+    std::vector<SweepSample> read(int part, std::size_t vertices) const;
+
+private:
+    QString partFile(int part) const;
+
+    QString m_path;
+    std::string m_asked;
+    int m_samples;
+};
+
+} // namespace bolster::cli
