@@ -48,7 +48,8 @@ Eigen::VectorXd placesOf(const WarmCover& cover)
 }
 
 Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Freedom> freedoms,
-                          const CoverMeasure& measure, bool central, const std::function<void(double)>& progress, const std::stop_token& stop)
+                          const CoverMeasure& measure, bool central, const std::function<void(double)>& progress,
+                          const std::stop_token& stop)
 {
     const int count = static_cast<int>(freedoms.size());
     Derivatives result;

@@ -35,11 +35,11 @@ struct Derivatives {
     std::vector<bool> known; ///< false: there was no cover beside the present one; its column is 0
 };
 
-/// By differences of covers at rest beside that of `at`, the design at home: forward ones, or central ones, which take twice the time. When stopped they
-/// are not all there.
+/// By differences of covers at rest beside that of `at`, the design at home: forward ones, or central ones, which
+/// take twice the time. When stopped they are not all there.
 Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Freedom> freedoms,
-                          const CoverMeasure& measure, bool central, const std::function<void(double)>& progress = {},
-                          const std::stop_token& stop = {});
+                          const CoverMeasure& measure, bool central,
+                          const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 
 /// Where all unknowns of a cover are, mm: x y z after each other.
 Eigen::VectorXd placesOf(const WarmCover& cover);

@@ -33,9 +33,10 @@ struct FitGoals {
 };
 
 struct FitLocks {
-    bool lengths = true;  ///< sides of seams keep their difference; when that is far from their ease they come nearer to it
-    bool straight = true; ///< edges that are straight stay so
-    bool corners = false; ///< keep their angles
+    bool lengths =
+        true; ///< sides of seams keep their difference; when that is far from their ease they come nearer to it
+    bool straight = true;  ///< edges that are straight stay so
+    bool corners = false;  ///< keep their angles
     double change = 0.005; ///< weight of 1 mm that a control point moves
 };
 

@@ -12,16 +12,17 @@ namespace bolster {
 
 namespace {
 
-constexpr double mmOfStrain = 100;   // 1 % over the limit counts like 1 mm
-constexpr double belowLimit = 0.85;  // of it: what is just below it would be over it with the next change
-constexpr double meantEase = 0.005; // of the length: sides that differ by more from their ease shall come nearer to it
-constexpr double keptLength = 1;    // weight of 1 mm between a seam's sides
+constexpr double mmOfStrain = 100;  // 1 % over the limit counts like 1 mm
+constexpr double belowLimit = 0.85; // of it: what is just below it would be over it with the next change
+constexpr double meantEase =
+    0.005;                       // of the length: sides that differ by more from their ease shall come nearer to it
+constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
 constexpr double wantedLength = 0.3;
 constexpr double straightWeight = 2;
-constexpr double cornerWeight = 50;   // mm: of a radian
+constexpr double cornerWeight = 50;     // mm: of a radian
 constexpr double straightWithin = 0.05; // mm
-constexpr double farthest = 60;       // mm: what is farther from the target does not belong to it
-constexpr double mostPoints = 1e6;    // of a target
+constexpr double farthest = 60;         // mm: what is farther from the target does not belong to it
+constexpr double mostPoints = 1e6;      // of a target
 
 std::vector<double> areasOf(const SewnMesh& mesh, const std::vector<Vec3>& places)
 {
@@ -154,8 +155,8 @@ void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double we
             if (std::isnan(deviation.ofVertex[v]))
                 continue;
             const Vec3 normal = surface->normals[v].cast<double>();
-            m_aims.push_back({static_cast<int>(v), normal,
-                              normal.dot(surface->positions[v]) - deviation.ofVertex[v], areas[v]});
+            m_aims.push_back(
+                {static_cast<int>(v), normal, normal.dot(surface->positions[v]) - deviation.ofVertex[v], areas[v]});
             all += areas[v];
         }
     }

@@ -14,7 +14,7 @@ namespace bolster {
 namespace {
 
 constexpr double smoothTurn = 0.9; // cosine: an outline that turns more at a point has a corner there
-constexpr double edgeOn = 0.3; // cosine: edges that meet flatter than that have no corner to be prolonged to
+constexpr double edgeOn = 0.3;     // cosine: edges that meet flatter than that have no corner to be prolonged to
 
 const char* const axisNames[] = {"x", "y", "z"};
 

@@ -15,10 +15,10 @@ namespace bolster {
 struct Freedom {
     enum class Kind {
         OutlinePoint, ///< control point `index` of patch `element` along `direction` in its plane, mm
-        Offset,       ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
-        Size,         ///< patch `element` about its middle, %
-        CurvePlace,   ///< fixation curve `element` as a whole along `axis`, mm
-        Number        ///< `field` of `element`, in its own unit
+        Offset, ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
+        Size,   ///< patch `element` about its middle, %
+        CurvePlace, ///< fixation curve `element` as a whole along `axis`, mm
+        Number      ///< `field` of `element`, in its own unit
     };
 
     Kind kind = Kind::OutlinePoint;

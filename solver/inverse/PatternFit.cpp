@@ -25,8 +25,8 @@ constexpr double settledStep = 0.05;   // likewise of a step
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 3;
-constexpr double sprang = 1.5; // times the cost that the last round had: the cover has come to rest elsewhere
-constexpr double leastEffect = 1e-7;   // of a freedom, against the strongest one
+constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
+constexpr double leastEffect = 1e-7; // of a freedom, against the strongest one
 
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
 std::vector<double> edgesFor(const Design& design)
@@ -66,8 +66,8 @@ std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<c
 
 class Fit {
 public:
-    Fit(const SolveInput& input, const FitOrder& order, const std::function<void(double, const FitRound&)>& progress,
-        const std::stop_token& stop)
+    Fit(const SolveInput& input, const FitOrder& order,
+        const std::function<void(double, const FitRound&)>& progress, const std::stop_token& stop)
         : m_input(input)
         , m_order(order)
         , m_progress(progress)
@@ -94,10 +94,10 @@ public:
         m_stages = static_cast<int>(edges.size()) + 1;
         bool whole = begin(edges.front());
         for (m_stage = 0; whole && m_stage < m_stages - 1; ++m_stage)
-            whole = goOn(edges[static_cast<std::size_t>(m_stage)]) && improve(edges[static_cast<std::size_t>(m_stage)]);
+            whole =
+                goOn(edges[static_cast<std::size_t>(m_stage)]) && improve(edges[static_cast<std::size_t>(m_stage)]);
         if (whole && verify(edges.back()))
-            m_result.status =
-                m_result.values.isZero() ? FitResult::Status::NothingToDo : FitResult::Status::Done;
+            m_result.status = m_result.values.isZero() ? FitResult::Status::NothingToDo : FitResult::Status::Done;
         if (m_stop.stop_requested())
             m_result.status = FitResult::Status::Cancelled;
         return std::move(m_result);
@@ -369,9 +369,10 @@ private:
             const Patch* before = m_result.design.find<Patch>(id);
             if (before && !(before->outline == patch.outline) && outlineProblem(patch.outline)) {
                 if (whole)
-                    m_result.notes.push_back({QT_TRANSLATE_NOOP("Message", "A step would have turned the outline of "
-                                                                           "%1 over itself; a smaller one was taken"),
-                                              {patch.name}});
+                    m_result.notes.push_back(
+                        {QT_TRANSLATE_NOOP("Message", "A step would have turned the outline of "
+                                                      "%1 over itself; a smaller one was taken"),
+                         {patch.name}});
                 whole = false;
             }
         });

@@ -112,7 +112,8 @@ Eigen::MatrixXf Sweep::linear(const std::function<void(double)>& progress, const
             const std::vector<float> outside = m_team->outside(cover, *m_nominal);
             sides[side] = Eigen::Map<const Eigen::VectorXf>(outside.data(), result.rows());
         }
-        for (const int side : {0, 1}) // where there is no cover on one side, that of the other one says what it knows
+        for (const int side :
+             {0, 1}) // where there is no cover on one side, that of the other one says what it knows
             if (sides[side] || sides[1 - side])
                 result.col(2 * k + side) = sides[side] ? *sides[side] : Eigen::VectorXf(-*sides[1 - side]);
         const std::scoped_lock lock(mutex);
@@ -197,7 +198,8 @@ std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& 
     std::vector<double> shares;
     double all = 0;
     for (std::size_t k = 0; k < tolerances.all.size(); ++k) {
-        shares.push_back(areas.dot(linear.middleCols<2>(static_cast<Eigen::Index>(2 * k)).cast<double>().cwiseAbs2().rowwise().sum()));
+        shares.push_back(areas.dot(
+            linear.middleCols<2>(static_cast<Eigen::Index>(2 * k)).cast<double>().cwiseAbs2().rowwise().sum()));
         all += shares.back();
     }
     for (double& share : shares)

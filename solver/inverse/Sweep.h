@@ -15,7 +15,7 @@ namespace bolster {
 /// 99 % of the cover do not exceed, 1.
 struct SweepSample {
     std::uint64_t number = 0;
-    std::vector<float> outside; ///< empty: no cover came to rest
+    std::vector<float> outside;        ///< empty: no cover came to rest
     double rms = 0, p95 = 0, most = 0; ///< mm, of the sizes
     double strain = 0;
 };

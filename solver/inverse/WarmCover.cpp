@@ -30,8 +30,7 @@ WarmCover::WarmCover(const SolveInput& input, const WarmOrder& order, const std:
     if (!prepare(asWanted(input.design), stop))
         return;
     const bool asDesigned = m_order.edgeLength <= 0;
-    startFromDesign(*m_relaxation,
-                    asDesigned ? coarseStart(*m_sheet, m_ghostCache, *m_pool, stop) : std::nullopt);
+    startFromDesign(*m_relaxation, asDesigned ? coarseStart(*m_sheet, m_ghostCache, *m_pool, stop) : std::nullopt);
     if (comeToRest(stop)) {
         makeHome();
         m_factorsAreHome = true;
@@ -82,8 +81,8 @@ bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
 {
     const SolvePlan plan = together(planSolve(m_now, input), planSolve(m_homeInput, input));
     // Outlines and matrix values together ask for a new triangulation in a gesture; here they have the time.
-    const bool both = plan == SolvePlan::Rebuild &&
-                      m_now.design.settings().edgeLength == input.design.settings().edgeLength;
+    const bool both =
+        plan == SolvePlan::Rebuild && m_now.design.settings().edgeLength == input.design.settings().edgeLength;
     if (plan > SolvePlan::Warp && !both)
         return false;
     Problems problems;

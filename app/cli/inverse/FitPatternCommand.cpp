@@ -53,9 +53,9 @@ Exit code:
 namespace {
 
 constexpr std::array fitRules = {
-    OptionRule{"--to", true, true}, OptionRule{"--out", true},        OptionRule{"--freedom", true},
+    OptionRule{"--to", true, true}, OptionRule{"--out", true},         OptionRule{"--freedom", true},
     OptionRule{"--lock", true},     OptionRule{"--patch", true, true}, OptionRule{"--max-change", true},
-    OptionRule{"--limit", true},    OptionRule{"--unit", true},       OptionRule{"--up", true},
+    OptionRule{"--limit", true},    OptionRule{"--unit", true},        OptionRule{"--up", true},
     OptionRule{"--threads", true},  OptionRule{"--report", true}};
 
 /// Words with commas between them. Throws UsageError for an empty one.
@@ -245,10 +245,11 @@ std::string reachedText(const FitGoals& goals, const FitFigures& figures)
 {
     std::string text;
     if (!goals.target.empty())
-        text += numberText(figures.distanceRms, 3) + " mm rms from the form, " + numberText(figures.distanceP95, 3) +
-                " mm within 95 %";
+        text += numberText(figures.distanceRms, 3) + " mm rms from the form, " +
+                numberText(figures.distanceP95, 3) + " mm within 95 %";
     if (goals.strain)
-        text += (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) + " % of the cover over the limit";
+        text +=
+            (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) + " % of the cover over the limit";
     return text;
 }
 

@@ -55,7 +55,8 @@ std::string runOnSlurm(const SlurmOrder& order, const std::function<bool()>& isD
     for (int array = 0; array < mostArrays && !isDone(); ++array) {
         const Said submitted =
             ask("sbatch", QStringList{"--parsable", "--array=0-" + QString::number(order.jobs - 1),
-                                      "--job-name=bolster-sweep", "--requeue", "--output=" + order.folder + "/job-%A-%a.log"} +
+                                      "--job-name=bolster-sweep", "--requeue",
+                                      "--output=" + order.folder + "/job-%A-%a.log"} +
                               order.options + QStringList{script});
         if (!submitted.ok)
             return "sbatch: " + submitted.error;
@@ -72,8 +73,9 @@ std::string runOnSlurm(const SlurmOrder& order, const std::function<bool()>& isD
             QThread::msleep(betweenLooks);
         }
     }
-    return isDone() ? "" : "some samples are missing after " + std::to_string(mostArrays) +
-                               " arrays of jobs: see the logs in " + order.folder.toStdString();
+    return isDone() ? ""
+                    : "some samples are missing after " + std::to_string(mostArrays) +
+                          " arrays of jobs: see the logs in " + order.folder.toStdString();
 }
 
 } // namespace bolster::cli

@@ -11,10 +11,10 @@
 namespace bolster::cli {
 
 struct SlurmOrder {
-    QString folder;       ///< that all machines see: scripts and words of jobs go there
-    QStringList command;  ///< of the program; what follows it is "--part I/N"
-    int jobs = 4;         ///< of an array
-    QStringList options;  ///< more for sbatch
+    QString folder;      ///< that all machines see: scripts and words of jobs go there
+    QStringList command; ///< of the program; what follows it is "--part I/N"
+    int jobs = 4;        ///< of an array
+    QStringList options; ///< more for sbatch
 };
 
 /// Submits an array of jobs and waits for its end, until `isDone`: jobs that die or are killed leave something to

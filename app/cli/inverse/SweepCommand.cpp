@@ -51,9 +51,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array sweepRules = {
-    OptionRule{"--spec", true},    OptionRule{"--samples", true}, OptionRule{"--out", true},
-    OptionRule{"--linear", true},  OptionRule{"--threads", true}, OptionRule{"--part", true},
-    OptionRule{"--slurm", false},  OptionRule{"--jobs", true},    OptionRule{"--sbatch", true}};
+    OptionRule{"--spec", true},   OptionRule{"--samples", true}, OptionRule{"--out", true},
+    OptionRule{"--linear", true}, OptionRule{"--threads", true}, OptionRule{"--part", true},
+    OptionRule{"--slurm", false}, OptionRule{"--jobs", true},    OptionRule{"--sbatch", true}};
 
 struct Share {
     int which = 0, of = 1;
@@ -145,8 +145,13 @@ std::string plyOf(const SurfaceMesh& surface, const std::vector<float>& linear, 
         text += "\n";
     }
     for (const auto& t : surface.topology->triangles)
-        text.append("3 ").append(std::to_string(t[0])).append(" ").append(std::to_string(t[1])).append(" ").append(
-            std::to_string(t[2])).append("\n");
+        text.append("3 ")
+            .append(std::to_string(t[0]))
+            .append(" ")
+            .append(std::to_string(t[1]))
+            .append(" ")
+            .append(std::to_string(t[2]))
+            .append("\n");
     return text;
 }
 
@@ -186,10 +191,9 @@ public:
         const std::vector<float> map = solvedP95(resting);
         if (std::ssize(solved) != samples)
             return "samples are missing";
-        for (const auto& [name, text] :
-             {std::pair("report.json", report(solved, resting, map).dump(1) + "\n"),
-              std::pair("samples.csv", csvOf(solved)),
-              std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_linearP95, map))})
+        for (const auto& [name, text] : {std::pair("report.json", report(solved, resting, map).dump(1) + "\n"),
+                                         std::pair("samples.csv", csvOf(solved)),
+                                         std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_linearP95, map))})
             if (const Message problem = replaceWholeFile(folder.file(name), text); !problem.empty())
                 return problem.english();
         return {};
@@ -230,9 +234,10 @@ private:
         Json list = Json::array();
         for (std::size_t place = 0; place < order.size(); ++place) {
             const std::size_t k = order[place];
-            list.push_back({{"name", all[k].name},
-                            {"share", shares[k]},
-                            {"most_mm", m_linear.middleCols<2>(static_cast<Eigen::Index>(2 * k)).cwiseAbs().maxCoeff()}});
+            list.push_back(
+                {{"name", all[k].name},
+                 {"share", shares[k]},
+                 {"most_mm", m_linear.middleCols<2>(static_cast<Eigen::Index>(2 * k)).cwiseAbs().maxCoeff()}});
             if (place < 3)
                 printResult(numberText(100 * shares[k], 3) + " % of the variance: " + all[k].name);
         }

@@ -49,7 +49,8 @@ void addField(const Json& entry, const std::string& where, const Design& design,
     if (!numberAt(*element, field))
         refuse(where, "element " + std::to_string(number(id)) + " has no number \"" + field + "\"");
     Freedom freedom{.kind = Freedom::Kind::Number, .element = id, .field = field};
-    tolerances.all.push_back({{std::move(freedom)}, positive(entry["by"], where + ".by"),
+    tolerances.all.push_back({{std::move(freedom)},
+                              positive(entry["by"], where + ".by"),
                               field + " of element " + std::to_string(number(id))});
 }
 
