@@ -22,6 +22,7 @@
 #include "GiveMemoryBack.h"
 #include "HelpCommands.h"
 #include "InsertCommands.h"
+#include "InverseCommands.h"
 #include "Inspector.h"
 #include "LayerCommands.h"
 #include "MainMenu.h"
@@ -136,6 +137,7 @@ void MainWindow::addDesignCommands(CoverAtRest& cover)
     addArea<CuttingCommands>(commands,
                              CuttingCommands::Parts{*m_cutting, *m_files, m_selection, *m_pattern, *m_docks});
     addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);
+    addArea<InverseCommands>(commands, *m_session, m_selection, *m_pattern, *this);
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
                                           *m_solver, *m_pattern, *m_surface, *m_inspector, *m_docks, *this});

@@ -24,10 +24,13 @@ public:
     }
 
 private:
-    /// The mate of the next edge is the one before this one's mate.
+    /// The mate of the next edge is the one before this one's mate; but not where a cut ends inside a piece.
     bool goesOn(const FormPiece& piece, std::size_t edge) const
     {
         const EdgeMate &here = piece.mates[edge], &next = piece.mates[piece.after(edge)];
+        if (!here.none() && &m_form.pieces[here.piece] == &piece &&
+            static_cast<std::size_t>(here.edge) == piece.after(edge))
+            return false;
         if (here.none() || next.none())
             return here.none() && next.none();
         return here.piece == next.piece &&

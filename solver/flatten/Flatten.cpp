@@ -1,5 +1,7 @@
 #include "Flatten.h"
 
+#include "WorkerPool.h"
+
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
 
@@ -7,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace bolster {
 
@@ -17,6 +20,7 @@ using Mat23 = Eigen::Matrix<double, 2, 3>;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
+constexpr double splinter = 0.02;   // of the mean area: what cuts have left of a triangle says nothing
 constexpr double mostStrain = 0.5;          // as in the sheet's local step
 
 /// A triangle of the form in its own plane.
@@ -136,19 +140,23 @@ public:
         for (const Facet& facet : m_facets) {
             const Mat2 map = jacobian(facet);
             const double turned = map.determinant();
-            flat.turnedOver += turned <= 0;
+            const bool counts = facet.area > splinter * m_meanArea;
+            flat.turnedOver += counts && turned <= 0;
             flat.area += facet.area * turned;
             const Eigen::Vector2d sizes = map.jacobiSvd().singularValues();
             area += facet.area;
+            double largest = 0;
             for (int k = 0; k < 2; ++k) {
                 const double strain = sizes[k] > 1e-3 ? 1 / sizes[k] - 1 : 1e3; // flat to form
                 sum += facet.area * std::min(strain * strain, 1.0) / 2;
-                if (std::abs(strain) > flat.strainMost) {
+                largest = std::max(largest, std::abs(strain));
+                if (counts && std::abs(strain) > flat.strainMost) {
                     flat.strainMost = std::abs(strain);
                     flat.strainedAt =
                         (point(facet.corners[0]) + point(facet.corners[1]) + point(facet.corners[2])) / 3;
                 }
             }
+            flat.strain.push_back(static_cast<float>(counts ? largest : 0));
         }
         flat.strainRms = area > 0 ? std::sqrt(sum / area) : 0;
         for (Eigen::Index v = 0; v < m_count; ++v)
@@ -181,15 +189,14 @@ private:
     void addSewnEdges()
     {
         std::vector<double> beside(m_piece.border.size(), 0);
-        double mean = 0;
         for (const Facet& facet : m_facets)
-            mean += facet.area / static_cast<double>(m_facets.size());
+            m_meanArea += facet.area / static_cast<double>(m_facets.size());
         for (std::size_t k = 0; k < m_piece.border.size(); ++k) {
             if (m_piece.mates[k].none())
                 continue;
             const int from = m_piece.border[k], to = m_piece.border[m_piece.after(k)];
             const double rest = (point(to) - point(from)).squaredNorm();
-            m_sewn.push_back({from, to, rest > 0 ? mean / rest : 0, m_piece.mates[k], k});
+            m_sewn.push_back({from, to, rest > 0 ? m_meanArea / rest : 0, m_piece.mates[k], k});
         }
     }
 
@@ -291,6 +298,7 @@ private:
     std::vector<Facet> m_facets;
     std::vector<SewnEdge> m_sewn;
     double m_seamWeight = 0;
+    double m_meanArea = 0; // of facets, mm^2
     std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> m_solver;
     Eigen::MatrixX2d m_at;
 };
@@ -352,26 +360,27 @@ private:
 
 std::vector<FlatPiece> flatten(const Form& form, const FlattenOrder& order, const std::stop_token& stop)
 {
+    WorkerPool pool(0);
+    std::vector<std::optional<PieceSheet>> made(form.pieces.size());
+    pool.forTasks(static_cast<int>(made.size()), [&](int p) {
+        if (!stop.stop_requested())
+            made[p].emplace(form, form.pieces[p], order.poisson);
+    });
+    if (stop.stop_requested() || made.empty())
+        return {};
     std::vector<PieceSheet> sheets;
-    sheets.reserve(form.pieces.size());
-    for (const FormPiece& piece : form.pieces) {
-        if (stop.stop_requested())
-            return {};
-        sheets.emplace_back(form, piece, order.poisson);
-    }
+    for (std::optional<PieceSheet>& sheet : made)
+        sheets.push_back(std::move(*sheet));
     CommonLengths lengths(form, sheets);
     for (const double weight : seamWeights) {
-        for (PieceSheet& sheet : sheets)
-            sheet.factor(weight);
+        pool.forTasks(static_cast<int>(sheets.size()), [&](int p) { sheets[p].factor(weight); });
         for (int round = 0; round < order.mostRounds; ++round) {
             const std::vector<std::vector<double>> wanted = lengths.wanted();
-            double moved = 0;
-            for (std::size_t p = 0; p < sheets.size(); ++p) {
-                if (stop.stop_requested())
-                    return {};
-                moved = std::max(moved, sheets[p].iterate(wanted[p]));
-            }
-            if (moved < order.settled)
+            if (stop.stop_requested())
+                return {};
+            std::vector<double> moved(sheets.size(), 0);
+            pool.forTasks(static_cast<int>(sheets.size()), [&](int p) { moved[p] = sheets[p].iterate(wanted[p]); });
+            if (std::ranges::max(moved) < order.settled)
                 break;
         }
     }

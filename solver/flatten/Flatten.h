@@ -18,6 +18,7 @@ struct FlatPiece {
     double strainRms = 0;  ///< of the cloth when it lies on the form, both directions, weighted by area; 1
     double strainMost = 0; ///< largest size of a principal strain; 1
     Vec3 strainedAt = Vec3::Zero(); ///< where that is, on the form
+    std::vector<float> strain;      ///< of each triangle: that size; 1
     int turnedOver = 0;             ///< triangles
     double area = 0;                ///< mm^2
 };

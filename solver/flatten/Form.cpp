@@ -1,6 +1,7 @@
 #include "Form.h"
 
 #include "BorderRows.h"
+#include "FormLines.h"
 #include "HalfEdges.h"
 #include "UnionFind.h"
 
@@ -18,6 +19,7 @@ namespace {
 using Corners = std::array<int, 3>;
 using Edge = std::pair<int, int>; // of points, the lesser one first
 
+constexpr int samplesOfSpan = 8;  // of a curve
 constexpr int mostCutsOpen = 200; // of rings; more holes than that nobody wants to sew up
 
 /// Each place once; triangles with an area, and the part that each belongs to.
@@ -80,8 +82,9 @@ public:
     Form cut()
     {
         orient();
+        cutLines();
         findCuts();
-        for (int round = 0; !m_stop.stop_requested(); ++round) {
+        for (int round = 0; !m_stop.stop_requested() && m_form.problem.empty(); ++round) {
             fallApart();
             if (!m_form.problem.empty() || !cutRingsOpen(round))
                 break;
@@ -142,6 +145,23 @@ private:
         if (turned > 0)
             m_form.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"), {std::to_string(turned)}});
+    }
+
+    void cutLines()
+    {
+        if (m_cuts.lines.empty() || m_stop.stop_requested())
+            return;
+        LinedTriangles lined =
+            cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop);
+        if (!lined.problem.empty()) {
+            m_form.problem = lined.problem;
+            return;
+        }
+        m_welded.points = std::move(lined.points);
+        m_welded.triangles = std::move(lined.triangles);
+        m_welded.part = std::move(lined.part);
+        m_cut = std::move(lined.cuts);
+        std::ranges::move(lined.notes, std::back_inserter(m_form.notes));
     }
 
     void findCuts()
@@ -399,6 +419,23 @@ private:
 };
 
 } // namespace
+
+std::vector<FormLine> linesOf(const Design& design)
+{
+    std::vector<FormLine> lines;
+    design.each<FixationCurve>([&](ElementId, const FixationCurve& curve) {
+        FormLine line{curve.name, {}, curve.curve.closed()};
+        const std::vector<double> breaks = curve.curve.breaks();
+        for (std::size_t k = 1; k < breaks.size(); ++k)
+            for (int i = 0; i < samplesOfSpan; ++i)
+                line.points.push_back(
+                    curve.curve.at(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * i / samplesOfSpan));
+        if (!line.closed)
+            line.points.push_back(curve.curve.at(breaks.back()));
+        lines.push_back(std::move(line));
+    });
+    return lines;
+}
 
 Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
 {

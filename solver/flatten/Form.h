@@ -1,6 +1,7 @@
 // A form that shall be covered: where it is cut, and the pieces that it falls into.
 #pragma once
 
+#include "Design.h"
 #include "Geometry.h"
 #include "Message.h"
 #include "TriangleMesh.h"
@@ -13,10 +14,18 @@
 
 namespace bolster {
 
+/// A line drawn on a form.
+struct FormLine {
+    std::string name;
+    std::vector<Vec3> points; ///< mm, on the form or near it
+    bool closed = false;
+};
+
 /// Where a form is cut.
 struct FormCuts {
     bool groups = true;          ///< where two parts of the mesh meet
     std::optional<double> angle; ///< and where the form bends by more than that, degrees
+    std::vector<FormLine> lines = {};
 };
 
 /// The other side of an edge that is cut; none at the form's border.
@@ -61,6 +70,9 @@ struct Form {
 };
 
 inline constexpr std::size_t mostFormTriangles = 500'000;
+
+/// The fixation curves of a design, as lines.
+std::vector<FormLine> linesOf(const Design& design);
 
 /// Cuts a mesh (mm). Points in the same place are one; triangles without area go; triangles are turned so that
 /// neighbours agree, as most of each sheet have it. A ring is cut open along the shortest way between its borders.

@@ -4,6 +4,7 @@
 #include "LengthUnits.h"
 #include "MeshImport.h"
 #include "Output.h"
+#include "Solving.h"
 #include "Subcommands.h"
 #include "WholeFile.h"
 
@@ -27,6 +28,7 @@ Options:
   --out FILE.json       the design; never replaced when it is there already
   --by groups           cuts where groups of the mesh meet (the usual way)
   --by angle:DEG        cuts where the mesh bends by more than DEG degrees
+  --along DESIGN        and along the fixation curves of this design
   --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
   --edge MM             edges of the design's triangles (12)
   --unit mm|cm|m|in|ft  what the numbers in the file are (mm)
@@ -43,7 +45,7 @@ namespace {
 
 constexpr std::array flattenRules = {
     OptionRule{"--out", true},  OptionRule{"--by", true}, OptionRule{"--fabric", true}, OptionRule{"--edge", true},
-    OptionRule{"--unit", true}, OptionRule{"--up", true}, OptionRule{"--report", true}};
+    OptionRule{"--unit", true}, OptionRule{"--up", true}, OptionRule{"--report", true}, OptionRule{"--along", true}};
 
 double numberIn(const std::string& text, const std::string& what, double least, double most)
 {
@@ -139,7 +141,7 @@ int flattenForm(std::span<const std::string> words)
     const QString out = arguments.path("--out"), report = arguments.path("--report");
     if (out.isEmpty())
         throw UsageError("where to? --out DESIGN.json");
-    const FormCuts cuts = cutsOf(arguments);
+    FormCuts cuts = cutsOf(arguments);
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);
     order.edgeLength = arguments.number("--edge", order.edgeLength, 0.5, 1000);
@@ -148,6 +150,12 @@ int flattenForm(std::span<const std::string> words)
         return otherFailure;
     }
     Interrupt interrupt;
+    if (arguments.has("--along")) {
+        const OpenedDesign lines = openedShown(arguments.path("--along"));
+        if (!lines.readable)
+            throw UsageError("--along: " + arguments.path("--along").toStdString() + " cannot be read");
+        cuts.lines = linesOf(lines.design);
+    }
     const ImportedMesh imported = importMesh(surface, {interrupt.token(), {}, {}});
     if (!imported.mesh) {
         printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));

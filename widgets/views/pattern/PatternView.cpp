@@ -90,7 +90,14 @@ void PatternView::paintEvent(QPaintEvent*)
     m_shown.paint(painter, m_navigation.transform(), small, size());
     paintBackground(painter, m_aids.background(), m_navigation.transform(), colors.dark);
     paintGuides(painter, m_aids.snapSettings().guides, m_navigation.transform(), size(), colors);
+    paintArrows(painter, m_arrows, m_navigation.transform(), colors);
     m_tools.tool().paint(painter, colors);
+}
+
+void PatternView::showArrows(PatternArrows arrows)
+{
+    m_arrows = std::move(arrows);
+    update();
 }
 
 void PatternView::resizeEvent(QResizeEvent* event)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DrawingAids.h"
+#include "PatternArrows.h"
 #include "PatternCrosshair.h"
 #include "PatternMargins.h"
 #include "PatternNavigation.h"
@@ -43,6 +44,8 @@ public:
     QRect freeRoom() const { return m_margins.freeRoom(); }
     /// A cross-hair at a point of a patch; nothing takes it away.
     void showPlace(const std::optional<bolster::CoverPoint>& point) { m_crosshair.show(point); }
+    /// Where outlines would go; none when there are none.
+    void showArrows(bolster::PatternArrows arrows);
     /// Moves the picture if the point is not in it.
     void reveal(const bolster::CoverPoint& point);
 
@@ -101,6 +104,7 @@ private:
     PatternNavigation m_navigation;
     PatternPan m_pan;
     DrawingAids m_aids;
+    PatternArrows m_arrows;
     PatternCrosshair m_crosshair;
     PatternMargins m_margins;
     PatternToolHost m_tools;

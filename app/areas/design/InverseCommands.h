@@ -1,0 +1,34 @@
+// From what the cover shall be to the pattern.
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+#include <QPointer>
+
+class QDialog;
+
+namespace bolster {
+
+class Commands;
+class DesignSession;
+class PatternView;
+class Selection;
+
+class InverseCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(InverseCommands)
+
+public:
+    InverseCommands(Commands& commands, DesignSession& session, Selection& selection, PatternView& pattern,
+                    QWidget& window);
+
+private:
+    void fit();
+
+    DesignSession& m_session;
+    Selection& m_selection;
+    PatternView& m_pattern;
+    QWidget& m_window;
+    QPointer<QDialog> m_fit;
+};
+
+} // namespace bolster

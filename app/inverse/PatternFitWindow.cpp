@@ -1,0 +1,473 @@
+#include "PatternFitWindow.h"
+
+#include "DesignSession.h"
+#include "ElementText.h"
+#include "NumberBox.h"
+#include "PatternView.h"
+#include "SelectionEdits.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr double arrowsApart = 14;  // pixels
+constexpr double longestArrow = 45; // pixels
+constexpr double keptShape = 0.5; // weight against strain
+
+/// How far points of a patch would move at most, mm.
+double movedBy(const FitFound& found, ElementId patch)
+{
+    std::vector<Freedom> own;
+    std::vector<double> values;
+    for (std::size_t k = 0; k < found.freedoms.size(); ++k)
+        if (found.freedoms[k].element == patch) {
+            own.push_back(found.freedoms[k]);
+            values.push_back(found.result.values[static_cast<Eigen::Index>(k)]);
+        }
+    return largestChange(own, Eigen::Map<Eigen::VectorXd>(values.data(), std::ssize(values)));
+}
+
+} // namespace
+
+PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection, PatternView& pattern,
+                                   QWidget* parent)
+    : QDialog(parent)
+    , m_session(session)
+    , m_document(session.document())
+    , m_selection(selection)
+    , m_pattern(pattern)
+    , m_job(
+          [this](const FitWanted& wanted, const std::stop_token& stop) {
+              return fitTo(
+                  wanted,
+                  [this, number = wanted.number](double share, const FitRound& round) {
+                      QMetaObject::invokeMethod(
+                          this,
+                          [this, number, share, round] {
+                              if (number == m_asked && m_runs)
+                                  showProgress(share, round);
+                          },
+                          Qt::QueuedConnection);
+                  },
+                  stop);
+          },
+          [this](FitFound found) { take(std::move(found)); })
+{
+    setWindowTitle(tr("Fit the pattern to a goal"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    fillForms();
+    setRunning(false);
+    connect(&m_document, &Document::changed, this, &PatternFitWindow::documentChanged);
+    connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
+}
+
+PatternFitWindow::~PatternFitWindow()
+{
+    m_job.cancel();
+    m_gesture.reset();
+    m_pattern.showArrows({});
+}
+
+void PatternFitWindow::build()
+{
+    m_find = new QPushButton(this);
+    m_find->setDefault(true);
+    connect(m_find, &QPushButton::clicked, this, [this] { m_runs ? stop() : find(); });
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 100);
+    m_said = new QLabel(this);
+    m_said->setWordWrap(true);
+    m_said->setMinimumHeight(2 * m_said->fontMetrics().lineSpacing());
+    m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* run = new QHBoxLayout;
+    run->addWidget(m_progress, 1);
+    run->addWidget(m_find);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_take = buttons->addButton(tr("&Take the changes"), QDialogButtonBox::AcceptRole);
+    connect(m_take, &QPushButton::clicked, this, &PatternFitWindow::commit);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* layout = new QVBoxLayout(this);
+    for (QWidget* group : {buildGoals(), buildFreedoms(), buildLocks()}) {
+        group->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+        layout->addWidget(group);
+    }
+    layout->addLayout(run);
+    layout->addWidget(m_said);
+    layout->addWidget(buildOutcome(), 1);
+    layout->addStretch();
+    layout->addWidget(buttons);
+    resize(440, 720);
+    if (const QWidget* window = parentWidget()) // over the cover's margin: pattern and cover are what one looks at
+        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+}
+
+QWidget* PatternFitWindow::buildGoals()
+{
+    auto* box = new QGroupBox(tr("Goal"), this);
+    m_lies = new QCheckBox(tr("The cover &lies on"), box);
+    m_form = new QComboBox(box);
+    m_form->setAccessibleName(tr("Form"));
+    m_form->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(m_form, &QComboBox::activated, this, [this] {
+        if (m_form->currentData().toString() == "file")
+            chooseFile();
+    });
+    m_strained = new QCheckBox(tr("&Strain is at most"), box);
+    m_strained->setToolTip(tr("Along the grain, across it, and in shear; the cover stays where it is"));
+    m_limit = new NumberBox({tr(" %"), 2, 0.1, 100, 0.5}, box);
+    m_limit->setAccessibleName(tr("Limit of strain"));
+    m_limit->display(StretchLimits{}.along);
+    auto* rows = new QVBoxLayout(box);
+    auto* first = new QHBoxLayout;
+    first->addWidget(m_lies);
+    first->addWidget(m_form, 1);
+    auto* second = new QHBoxLayout;
+    second->addWidget(m_strained);
+    second->addWidget(m_limit);
+    second->addStretch(1);
+    rows->addLayout(first);
+    rows->addLayout(second);
+    return box;
+}
+
+QWidget* PatternFitWindow::buildFreedoms()
+{
+    auto* box = new QGroupBox(tr("What may change"), this);
+    auto* row = new QHBoxLayout;
+    const auto add = [&](const QString& text, const QString& tip) {
+        auto* check = new QCheckBox(text, box);
+        check->setToolTip(tip);
+        row->addWidget(check);
+        return check;
+    };
+    m_outlines = add(tr("&Outlines"), tr("Control points of the patches"));
+    m_foam = add(tr("Fo&am"), tr("How thick cushions and foam are, by whole voxels"));
+    m_fixations = add(tr("F&ixations"), tr("Where fixation curves lie"));
+    m_pressure = add(tr("&Pressure"), tr("The pressure under each patch"));
+    m_outlines->setChecked(true);
+    row->addStretch(1);
+    m_selectedOnly = new QCheckBox(tr("Of sele&cted patches only"), box);
+    auto* rows = new QVBoxLayout(box);
+    rows->addLayout(row);
+    rows->addWidget(m_selectedOnly);
+    return box;
+}
+
+QWidget* PatternFitWindow::buildLocks()
+{
+    auto* box = new QGroupBox(tr("What stays"), this);
+    m_lengths = new QCheckBox(tr("L&engths of seams"), box);
+    m_lengths->setToolTip(
+        tr("The sides of a seam keep their difference; if it is far from the seam's ease, it comes nearer to it"));
+    m_straight = new QCheckBox(tr("St&raight edges"), box);
+    m_corners = new QCheckBox(tr("An&gles of corners"), box);
+    m_lengths->setChecked(true);
+    m_straight->setChecked(true);
+    auto* checks = new QHBoxLayout;
+    for (QCheckBox* check : {m_lengths, m_straight, m_corners})
+        checks->addWidget(check);
+    checks->addStretch(1);
+    m_most = new NumberBox({tr(" mm"), 2, 0.1, 1000, 1, true}, box);
+    m_most->display(20);
+    auto* label = new QLabel(tr("No point &moves farther than"), box);
+    label->setBuddy(m_most);
+    auto* most = new QHBoxLayout;
+    most->addWidget(label);
+    most->addWidget(m_most);
+    most->addStretch(1);
+    auto* rows = new QVBoxLayout(box);
+    rows->addLayout(checks);
+    rows->addLayout(most);
+    return box;
+}
+
+QWidget* PatternFitWindow::buildOutcome()
+{
+    m_outcome = new QWidget(this);
+    m_patches = new QTreeWidget(m_outcome);
+    m_patches->setRootIsDecorated(false);
+    m_patches->setUniformRowHeights(true);
+    m_patches->setHeaderLabels({tr("Changes of"), tr("Moves by")});
+    m_patches->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_patches->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_patches->header()->setStretchLastSection(false);
+    m_patches->setAccessibleName(tr("Changes"));
+    m_patches->setToolTip(tr("What is ticked is changed"));
+    m_patches->setMinimumHeight(5 * m_patches->fontMetrics().lineSpacing());
+    connect(m_patches, &QTreeWidget::itemChanged, this, &PatternFitWindow::preview);
+    m_share = new QSlider(Qt::Horizontal, m_outcome);
+    m_share->setRange(0, 100);
+    m_share->setValue(100);
+    connect(m_share, &QSlider::valueChanged, this, &PatternFitWindow::preview);
+    auto* label = new QLabel(tr("&How much of it"), m_outcome);
+    label->setBuddy(m_share);
+    m_shareSaid = new QLabel(m_outcome);
+    m_shareSaid->setMinimumWidth(m_shareSaid->fontMetrics().horizontalAdvance(percentText(1)));
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(m_share, 1);
+    row->addWidget(m_shareSaid);
+    auto* rows = new QVBoxLayout(m_outcome);
+    rows->setContentsMargins({});
+    m_arrowsSaid = new QLabel(m_outcome);
+    rows->addWidget(m_patches, 1);
+    rows->addLayout(row);
+    rows->addWidget(m_arrowsSaid);
+    return m_outcome;
+}
+
+void PatternFitWindow::fillForms()
+{
+    m_form->clear();
+    m_document.design().each<Scan>([&](ElementId id, const Scan& scan) {
+        m_form->addItem(QString::fromStdString(scan.name), number(id));
+    });
+    const bool scans = m_form->count() > 0;
+    m_form->addItem(m_file.isEmpty() ? tr("A file \u2026") : QFileInfo(m_file).fileName(), "file");
+    m_lies->setChecked(scans);
+    m_strained->setChecked(!scans);
+}
+
+void PatternFitWindow::chooseFile()
+{
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("The form that the cover shall lie on"), m_session.path(),
+        tr("Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    m_file = file;
+    const QSignalBlocker quiet(m_form);
+    m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
+    m_lies->setChecked(true);
+}
+
+FitOrder PatternFitWindow::order() const
+{
+    const Design& design = m_document.committed();
+    FitOrder order;
+    const std::vector<ElementId> chosen = selectedOf<Patch>(design, m_selection.elements());
+    const bool onlyChosen = m_selectedOnly->isChecked() && !chosen.empty();
+    const auto add = [&](const QCheckBox* check, std::vector<Freedom> freedoms) {
+        if (check->isChecked())
+            for (Freedom& freedom : freedoms)
+                if (!onlyChosen || !design.find<Patch>(freedom.element) ||
+                    std::ranges::find(chosen, freedom.element) != chosen.end())
+                    order.freedoms.push_back(std::move(freedom));
+    };
+    add(m_outlines, outlineFreedoms(design));
+    add(m_foam, foamFreedoms(design));
+    add(m_fixations, fixationFreedoms(design));
+    add(m_pressure, pressureFreedoms(design));
+    order.locks.lengths = m_lengths->isChecked();
+    order.locks.straight = m_straight->isChecked();
+    order.locks.corners = m_corners->isChecked();
+    order.mostChange = m_most->value();
+    order.goals.strain = m_strained->isChecked();
+    order.goals.limit = m_limit->value();
+    order.goals.keepShape = m_lies->isChecked() ? 0 : keptShape;
+    return order;
+}
+
+FitForm PatternFitWindow::form() const
+{
+    FitForm form;
+    if (!m_lies->isChecked())
+        return form;
+    if (m_form->currentData().toString() == "file") {
+        form.file = m_file;
+        return form;
+    }
+    const auto id = static_cast<ElementId>(m_form->currentData().toUInt());
+    const auto* scan = m_document.committed().find<Scan>(id);
+    const auto cloud = m_session.files().clouds.find(id);
+    if (scan && cloud != m_session.files().clouds.end()) {
+        form.scan = *scan;
+        form.cloud = cloud->second;
+    }
+    return form;
+}
+
+void PatternFitWindow::find()
+{
+    if (!takeTyped(*this))
+        return;
+    m_document.cancelGesture();
+    forget({});
+    if (m_lies->isChecked() && m_form->currentData().toString() == "file" && m_file.isEmpty())
+        chooseFile();
+    const FitForm on = form();
+    if (m_lies->isChecked() && !on.cloud && on.file.isEmpty()) {
+        m_said->setText(tr("Choose the scan or the file that the cover shall lie on."));
+        return;
+    }
+    if (!m_lies->isChecked() && !m_strained->isChecked()) {
+        m_said->setText(tr("Choose a goal."));
+        return;
+    }
+    m_start = m_document.committed();
+    setRunning(true);
+    m_said->setText(tr("Solving the cover \u2026"));
+    m_job.request({++m_asked, {m_start, m_session.files()}, on, order()}, true);
+}
+
+void PatternFitWindow::stop()
+{
+    ++m_asked;
+    m_job.cancel();
+    setRunning(false);
+    m_said->setText(tr("Stopped; nothing has changed."));
+}
+
+void PatternFitWindow::setRunning(bool running)
+{
+    m_runs = running;
+    m_find->setText(running ? tr("&Stop") : tr("&Find changes"));
+    m_progress->setVisible(running);
+    m_progress->setValue(0);
+    m_outcome->setVisible(m_found.has_value());
+    m_take->setEnabled(m_found.has_value());
+}
+
+void PatternFitWindow::showProgress(double share, const FitRound& round)
+{
+    m_progress->setValue(static_cast<int>(100 * share));
+    m_said->setText(m_lies->isChecked()
+                        ? tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2))
+                        : tr("%1 of the cover is over the limit").arg(percentText(round.figures.overLimit)));
+}
+
+void PatternFitWindow::take(FitFound found)
+{
+    if (found.number != m_asked)
+        return;
+    const FitResult& result = found.result;
+    if (result.status == FitResult::Status::Failed || result.status == FitResult::Status::NothingToDo) {
+        setRunning(false);
+        m_said->setText(result.status == FitResult::Status::Failed ? translated(result.reason)
+                                                                   : tr("No change makes it better."));
+        return;
+    }
+    QStringList lines;
+    if (m_lies->isChecked())
+        lines << tr("From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
+                     .arg(lengthText(result.before.distanceRms, 2), lengthText(result.after.distanceRms, 2),
+                          lengthText(result.before.distanceP95, 2), lengthText(result.after.distanceP95, 2));
+    if (m_strained->isChecked())
+        lines << tr("Over the limit: %1 of the cover before, %2 now")
+                     .arg(percentText(result.before.overLimit), percentText(result.after.overLimit));
+    lines << tr("The cover moves by %1 (rms).").arg(lengthText(result.after.shapeRms, 2));
+    if (result.jumped)
+        lines << tr("On the way a fold came or went: look at the cover before you take it.");
+    if (!result.idle.empty())
+        lines << tr("%n of the numbers that may change do nothing here.", nullptr,
+                    static_cast<int>(result.idle.size()));
+    m_found = std::move(found);
+    setRunning(false);
+    m_said->setText(lines.join('\n'));
+    fillPatches();
+    preview();
+}
+
+void PatternFitWindow::fillPatches()
+{
+    const QSignalBlocker quiet(m_patches);
+    m_patches->clear();
+    std::set<ElementId> elements;
+    for (std::size_t k = 0; k < m_found->freedoms.size(); ++k)
+        if (m_found->result.values[static_cast<Eigen::Index>(k)] != 0)
+            elements.insert(m_found->freedoms[k].element);
+    for (const ElementId id : elements) {
+        auto* row = new QTreeWidgetItem(m_patches, {displayName(m_start, id), lengthText(movedBy(*m_found, id), 1)});
+        row->setData(0, Qt::UserRole, number(id));
+        row->setCheckState(0, Qt::Checked);
+    }
+}
+
+/// Of the elements that are ticked, as much as the slider says.
+Design PatternFitWindow::changedDesign() const
+{
+    std::set<ElementId> ticked;
+    for (int row = 0; row < m_patches->topLevelItemCount(); ++row)
+        if (const QTreeWidgetItem* item = m_patches->topLevelItem(row); item->checkState(0) == Qt::Checked)
+            ticked.insert(static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt()));
+    Eigen::VectorXd values = m_found->result.values * (m_share->value() / 100.0);
+    for (std::size_t k = 0; k < m_found->freedoms.size(); ++k)
+        if (!ticked.contains(m_found->freedoms[k].element))
+            values[static_cast<Eigen::Index>(k)] = 0;
+    return withFreedoms(m_start, m_found->freedoms, values);
+}
+
+void PatternFitWindow::preview()
+{
+    if (!m_found)
+        return;
+    m_shareSaid->setText(percentText(m_share->value() / 100.0));
+    if (!m_gesture || !m_gesture->active())
+        m_gesture.emplace(m_document);
+    const Design changed = changedDesign();
+    m_gesture->update(editBetween(m_start, changed, {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}}));
+    const double pixel = 1 / m_pattern.navigation().transform().scale(); // mm
+    PatternArrows arrows = arrowsBetween(m_start, changed, arrowsApart * pixel, longestArrow * pixel);
+    m_arrowsSaid->setText(arrows.arrows.empty()     ? QString()
+                          : arrows.longer > 1 ? tr("Arrows in the pattern: %1 times as long as the way")
+                                                    .arg(QLocale().toString(arrows.longer))
+                                              : tr("Arrows in the pattern: where its outlines go"));
+    m_pattern.showArrows(std::move(arrows));
+}
+
+void PatternFitWindow::commit()
+{
+    if (!m_gesture || !m_gesture->active())
+        preview();
+    m_found.reset(); // what the commit makes of the design is no surprise
+    m_gesture->commit();
+    forget(tr("Taken. Undo takes it back."));
+}
+
+/// What was found is no longer of use.
+void PatternFitWindow::forget(const QString& why)
+{
+    m_found.reset();
+    m_gesture.reset();
+    m_pattern.showArrows({});
+    setRunning(m_runs);
+    m_said->setText(why);
+}
+
+/// Who works on meanwhile has another design.
+void PatternFitWindow::documentChanged()
+{
+    if (!m_found && !m_runs)
+        return;
+    if (m_runs && !(m_document.committed() == m_start)) {
+        stop();
+        m_said->setText(tr("The design has changed meanwhile: find the changes again."));
+    } else if (m_found && !(m_document.committed() == m_start)) {
+        forget(tr("The design has changed meanwhile: find the changes again."));
+    }
+}
+
+} // namespace bolster

@@ -1,0 +1,309 @@
+#include "FormLines.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace bolster {
+
+namespace {
+
+namespace Pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = CgalMesh::Vertex_index;
+using FormEdge = CgalMesh::Edge_index;
+using Face = CgalMesh::Face_index;
+using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<CgalMesh>>>;
+
+constexpr double spacing = 4;      // mm between places on a line
+constexpr double ribbon = 1.5;     // mm that a ribbon stands out on either side
+constexpr double reach = 10;       // mm: a line that ends so near to a border or another line goes on to it
+constexpr double overshoot = 1;    // mm, so that they surely cross
+constexpr double longestSpur = 14; // mm: what hangs over at the end of a line that was prolonged
+
+Kernel::Point_3 toCgal(const Vec3& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+Vec3 fromCgal(const Kernel::Point_3& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+/// Which part the triangles belong to that others are divided into.
+struct PartsKept : Pmp::Corefinement::Default_visitor<CgalMesh> {
+    CgalMesh::Property_map<Face, int> part;
+    const CgalMesh* form = nullptr;
+    int divided = 0;
+
+    void before_subface_creations(Face face, CgalMesh& mesh)
+    {
+        if (&mesh == form)
+            divided = part[face];
+    }
+    void after_subface_created(Face face, CgalMesh& mesh)
+    {
+        if (&mesh == form)
+            part[face] = divided;
+    }
+};
+
+/// A place of a line on the form.
+struct LinePlace {
+    Vec3 at, normal;
+    double away = 0; ///< mm from the form
+};
+
+std::vector<Vec3> evenly(const FormLine& line)
+{
+    std::vector<Vec3> places{line.points.front()};
+    std::vector<Vec3> corners = line.points;
+    if (line.closed)
+        corners.push_back(corners.front());
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+        const Vec3 from = corners[k - 1], way = corners[k] - from;
+        const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
+        for (int i = 1; i <= steps; ++i)
+            places.emplace_back(from + way * i / steps);
+    }
+    return places;
+}
+
+class LineCutter {
+public:
+    LineCutter(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+               const std::vector<int>& part)
+    {
+        for (const Vec3& point : points)
+            m_mesh.add_vertex(toCgal(point));
+        m_part = m_mesh.add_property_map<Face, int>("f:part", 0).first;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const auto& [a, b, c] = triangles[t];
+            const Face face = m_mesh.add_face(Vertex(a), Vertex(b), Vertex(c));
+            if (face == CgalMesh::null_face()) {
+                m_whole = false; // an edge with three triangles, or two sheets that meet in a point
+                return;
+            }
+            m_part[face] = part[t];
+        }
+        m_cut = m_mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
+    }
+
+    bool whole() const { return m_whole; }
+
+    void cut(const FormLine& line, const std::vector<FormLine>& all)
+    {
+        CgalMesh strip = ribbonAlong(line, all);
+        PartsKept visitor;
+        visitor.part = m_part;
+        visitor.form = &m_mesh;
+        Pmp::corefine(m_mesh, strip, CGAL::parameters::edge_is_constrained_map(m_cut).visitor(visitor));
+    }
+
+    LinedTriangles result(const std::vector<FormLine>& lines)
+    {
+        pruneSpurs();
+        LinedTriangles result;
+        std::map<Vertex, int> number;
+        for (const Vertex v : m_mesh.vertices()) {
+            number[v] = static_cast<int>(result.points.size());
+            result.points.push_back(fromCgal(m_mesh.point(v)));
+        }
+        for (const Face f : m_mesh.faces()) {
+            std::array<int, 3> corners{};
+            int k = 0;
+            for (const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+                corners[static_cast<std::size_t>(k++)] = number[v];
+            result.triangles.push_back(corners);
+            result.part.push_back(m_part[f]);
+        }
+        for (const FormEdge e : m_mesh.edges())
+            if (m_cut[e]) {
+                const int a = number[m_mesh.vertex(e, 0)], b = number[m_mesh.vertex(e, 1)];
+                result.cuts.insert({std::min(a, b), std::max(a, b)});
+            }
+        for (const Vertex v : looseEnds())
+            result.notes.push_back(looseEnd(fromCgal(m_mesh.point(v)), lines));
+        return result;
+    }
+
+private:
+    LinePlace placeOf(const FaceTree& tree, const Vec3& at) const
+    {
+        const auto [point, face] = tree.closest_point_and_primitive(toCgal(at));
+        std::array<Vec3, 3> corners;
+        std::size_t k = 0;
+        for (const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(face)))
+            corners[k++] = fromCgal(m_mesh.point(v));
+        const Vec3 near = fromCgal(point);
+        return {near, (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized(), (at - near).norm()};
+    }
+
+    /// On to a border or another line that is near.
+    void prolong(std::vector<Vec3>& places, const FormLine& line, const std::vector<FormLine>& all) const
+    {
+        if (line.closed || places.size() < 2)
+            return;
+        const auto missing = [&](const Vec3& end) {
+            double nearest = reach;
+            for (const auto half : m_mesh.halfedges())
+                if (m_mesh.is_border(half))
+                    nearest = std::min(nearest, (fromCgal(m_mesh.point(m_mesh.target(half))) - end).norm());
+            for (const FormLine& other : all)
+                if (&other != &line)
+                    for (const Vec3& place : evenly(other))
+                        nearest = std::min(nearest, (place - end).norm());
+            return nearest < reach ? nearest + overshoot : overshoot;
+        };
+        const Vec3 first = places.front() - places[1], last = places.back() - places[places.size() - 2];
+        places.insert(places.begin(), places.front() + missing(places.front()) * first.normalized());
+        places.push_back(places.back() + missing(places.back()) * last.normalized());
+    }
+
+    CgalMesh ribbonAlong(const FormLine& line, const std::vector<FormLine>& all) const
+    {
+        std::vector<Vec3> places = evenly(line);
+        prolong(places, line, all);
+        const FaceTree tree(m_mesh.faces().begin(), m_mesh.faces().end(), m_mesh);
+        std::vector<LinePlace> on;
+        for (const Vec3& place : places)
+            on.push_back(placeOf(tree, place));
+        CgalMesh strip;
+        std::vector<std::pair<Vertex, Vertex>> sections;
+        for (std::size_t k = 0; k < on.size(); ++k) {
+            Vec3 normal = Vec3::Zero(); // of neighbours too: at an edge of the form it turns
+            for (std::size_t i = k > 0 ? k - 1 : 0; i <= std::min(k + 1, on.size() - 1); ++i)
+                normal += on[i].normal;
+            normal.normalize();
+            // What was prolonged beyond the border stays there: it is not pulled back to it.
+            const bool beyond = (k == 0 || k + 1 == on.size()) && !line.closed;
+            const Vec3 middle = beyond ? places[k] : on[k].at;
+            const double width = ribbon + (beyond ? on[k].away : 0);
+            sections.emplace_back(strip.add_vertex(toCgal(middle - width * normal)),
+                                  strip.add_vertex(toCgal(middle + width * normal)));
+        }
+        if (line.closed)
+            sections.back() = sections.front();
+        for (std::size_t k = 1; k < sections.size(); ++k) {
+            const auto& [a, b] = sections[k - 1];
+            const auto& [c, d] = sections[k];
+            strip.add_face(a, c, b);
+            strip.add_face(b, c, d);
+        }
+        return strip;
+    }
+
+    std::vector<FormEdge> cutsAt(Vertex v) const
+    {
+        std::vector<FormEdge> cuts;
+        for (const auto half : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+            if (const FormEdge e = m_mesh.edge(half); m_cut[e] && !m_mesh.is_border(e))
+                cuts.push_back(e);
+        return cuts;
+    }
+
+    std::vector<Vertex> looseEnds() const
+    {
+        std::vector<Vertex> ends;
+        for (const Vertex v : m_mesh.vertices())
+            if (!m_mesh.is_isolated(v) && !m_mesh.is_border(v) && cutsAt(v).size() == 1)
+                ends.push_back(v);
+        return ends;
+    }
+
+    /// What hangs over where a line has met another one.
+    void pruneSpurs()
+    {
+        for (const FormEdge e : m_mesh.edges())
+            if (m_mesh.is_border(e))
+                m_cut[e] = false;
+        for (Vertex end : looseEnds()) {
+            std::vector<FormEdge> spur;
+            double length = 0;
+            for (Vertex at = end; length <= longestSpur;) {
+                std::vector<FormEdge> cuts = cutsAt(at);
+                std::erase_if(cuts, [&](FormEdge e) { return std::ranges::find(spur, e) != spur.end(); });
+                if (cuts.size() != 1 || (at != end && m_mesh.is_border(at)))
+                    break;
+                spur.push_back(cuts.front());
+                length += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(cuts.front(), 0)),
+                                                           m_mesh.point(m_mesh.vertex(cuts.front(), 1))));
+                at = m_mesh.vertex(cuts.front(), m_mesh.vertex(cuts.front(), 0) == at ? 1 : 0);
+            }
+            if (length <= longestSpur)
+                for (const FormEdge e : spur)
+                    m_cut[e] = false;
+        }
+    }
+
+    Message looseEnd(const Vec3& at, const std::vector<FormLine>& lines) const
+    {
+        double nearest = std::numeric_limits<double>::infinity();
+        std::string name;
+        for (const FormLine& line : lines)
+            for (const Vec3& place : evenly(line))
+                if (const double distance = (place - at).norm(); distance < nearest) {
+                    nearest = distance;
+                    name = line.name;
+                }
+        double border = std::numeric_limits<double>::infinity();
+        for (const auto half : m_mesh.halfedges())
+            if (m_mesh.is_border(half))
+                border = std::min(border, (fromCgal(m_mesh.point(m_mesh.target(half))) - at).norm());
+        for (const FormLine& line : lines)
+            if (line.name != name)
+                for (const Vec3& place : evenly(line))
+                    border = std::min(border, (place - at).norm());
+        std::string where("(");
+        where.append(numberText(at.x(), 4)).append(", ").append(numberText(at.y(), 4)).append(", ");
+        where.append(numberText(at.z(), 4)).append(")");
+        return {QT_TRANSLATE_NOOP("Message", "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
+                                             "line or border is %3 mm away; draw it on to there to divide the piece"),
+                {name, where, numberText(border, 2)}};
+    }
+
+    CgalMesh m_mesh;
+    CgalMesh::Property_map<Face, int> m_part;
+    CgalMesh::Property_map<FormEdge, bool> m_cut;
+    bool m_whole = true;
+};
+
+} // namespace
+
+LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                        const std::vector<int>& part, const std::vector<FormLine>& lines,
+                        const std::stop_token& stop)
+{
+    LinedTriangles failed;
+    failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than two "
+                                                   "faces meet, or sheets that touch in a point"),
+                      {}};
+    LineCutter cutter(points, triangles, part);
+    if (!cutter.whole())
+        return failed;
+    try {
+        for (const FormLine& line : lines) {
+            if (stop.stop_requested())
+                return {};
+            if (line.points.size() > 1)
+                cutter.cut(line, lines);
+        }
+    } catch (const std::exception&) {
+        failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it goes through itself there"),
+                          {}};
+        return failed;
+    }
+    return cutter.result(lines);
+}
+
+} // namespace bolster

@@ -1,0 +1,27 @@
+// Lines drawn on a form, cut into its triangles. Private to the library.
+#pragma once
+
+#include "Form.h"
+
+#include <set>
+#include <utility>
+
+namespace bolster {
+
+/// Triangles with edges along lines.
+struct LinedTriangles {
+    std::vector<Vec3> points;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> part;              ///< of each triangle
+    std::set<std::pair<int, int>> cuts; ///< edges along lines, the lesser point first
+    std::vector<Message> notes;         ///< lines that end where nothing is
+    Message problem;                    ///< why no lines can be cut; the rest is empty then
+};
+
+/// `triangles` are oriented alike, and each place is one point. A line that ends a little before a border or another
+/// line goes on to there. Source: CGAL's corefinement of the form with a ribbon across it along each line.
+LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                        const std::vector<int>& part, const std::vector<FormLine>& lines,
+                        const std::stop_token& stop);
+
+} // namespace bolster
