@@ -2,14 +2,18 @@
 
 #include "Commands.h"
 #include "DesignSession.h"
+#include "FormPatternWindow.h"
 #include "PatternFitWindow.h"
+#include "PatternView.h"
+#include "Selection.h"
 
 namespace bolster {
 
 InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Selection& selection,
-                                 PatternView& pattern, QWidget& window)
+                                 SolverLink& solver, PatternView& pattern, QWidget& window)
     : m_session(session)
     , m_selection(selection)
+    , m_solver(solver)
     , m_pattern(pattern)
     , m_window(window)
 {
@@ -18,6 +22,13 @@ InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Sel
         m_session.document().design().each<Patch>([&](ElementId, const Patch&) { found = true; });
         return found;
     };
+    commands.add({.id = "pattern.from-form",
+                  .text = tr("From a f&orm \u2026"),
+                  .keys = {Qt::CTRL | Qt::ALT | Qt::Key_O},
+                  .tip = tr("Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of "
+                            "them"),
+                  .places = {"pattern/6"},
+                  .does = [this] { fromForm(); }});
     commands.add({.id = "pattern.fit",
                   .text = tr("&Fit to a goal \u2026"),
                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_G},
@@ -34,6 +45,21 @@ void InverseCommands::fit()
     m_fit->show();
     m_fit->raise();
     m_fit->activateWindow();
+}
+
+void InverseCommands::fromForm()
+{
+    if (!m_form) {
+        auto* window = new FormPatternWindow(m_session, m_solver, &m_window);
+        connect(window, &FormPatternWindow::patternMade, this, [this](const std::vector<ElementId>& added) {
+            m_selection.set({added.begin(), added.end()});
+            m_pattern.navigation().fitAll();
+        });
+        m_form = window;
+    }
+    m_form->show();
+    m_form->raise();
+    m_form->activateWindow();
 }
 
 } // namespace bolster

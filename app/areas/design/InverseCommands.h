@@ -13,22 +13,26 @@ class Commands;
 class DesignSession;
 class PatternView;
 class Selection;
+class SolverLink;
 
 class InverseCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(InverseCommands)
 
 public:
-    InverseCommands(Commands& commands, DesignSession& session, Selection& selection, PatternView& pattern,
-                    QWidget& window);
+    InverseCommands(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
+                    PatternView& pattern, QWidget& window);
 
 private:
     void fit();
+    void fromForm();
 
     DesignSession& m_session;
     Selection& m_selection;
+    SolverLink& m_solver;
     PatternView& m_pattern;
     QWidget& m_window;
     QPointer<QDialog> m_fit;
+    QPointer<QDialog> m_form;
 };
 
 } // namespace bolster

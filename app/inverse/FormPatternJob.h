@@ -1,0 +1,34 @@
+// The pattern of a form, beside the window.
+#pragma once
+
+#include "Flatten.h"
+#include "FormPattern.h"
+
+#include <QString>
+
+#include <memory>
+
+namespace bolster {
+
+struct FormWanted {
+    int number = 0;
+    std::shared_ptr<const TriangleMesh> mesh; ///< mm; null: that of the file
+    QString file;                             ///< mm
+    FormCuts cuts;
+    FormPatternOrder order;
+    bool draft = false; ///< something moves: nearly right, soon
+};
+
+struct FormMade {
+    int number = 0;
+    bool draft = false;
+    Message problem;
+    Form form;
+    std::vector<FlatPiece> flat;
+    FormPattern pattern;
+};
+
+/// `draft` of the answer is that of the wish.
+FormMade patternOfForm(const FormWanted& wanted, const std::stop_token& stop);
+
+} // namespace bolster

@@ -1,0 +1,378 @@
+#include "FormPatternWindow.h"
+
+#include "CopyPaste.h"
+#include "DesignJson.h"
+#include "DesignSession.h"
+#include "ElementText.h"
+#include "FlatPiecesView.h"
+#include "FramePieces.h"
+#include "NumberBox.h"
+#include "SolverLink.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+constexpr double besidePattern = 100; // mm
+
+/// Mesh of a frame as it stands in the design, mm.
+std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame,
+                                               const std::shared_ptr<const TriangleMesh>& file)
+{
+    auto mesh = std::make_shared<TriangleMesh>(*shownMesh(file, frame.hiddenParts));
+    for (Vec3& point : mesh->points)
+        point = frame.placed(point);
+    return mesh;
+}
+
+/// The cover, a part for each patch.
+std::shared_ptr<const TriangleMesh> meshOf(const SurfaceMesh& surface, const Design& design)
+{
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = surface.positions;
+    mesh->triangles = surface.topology->triangles;
+    for (const SurfaceTopology::PatchRange& range : surface.topology->patches) {
+        const auto* patch = design.find<Patch>(range.patch);
+        mesh->parts.push_back({patch ? patch->name : std::string(), range.firstTriangle, range.triangleCount});
+    }
+    return mesh;
+}
+
+double limitOf(const Fabric& fabric)
+{
+    return std::min(fabric.limits.along, fabric.limits.across) / 100;
+}
+
+} // namespace
+
+FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver, QWidget* parent)
+    : QDialog(parent)
+    , m_session(session)
+    , m_document(session.document())
+    , m_solver(solver)
+    , m_job([](const FormWanted& wanted, const std::stop_token& stop) { return patternOfForm(wanted, stop); },
+            [this](FormMade made) { take(std::move(made)); })
+{
+    setWindowTitle(tr("Pattern of a form"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    fillForms();
+    fillFabrics();
+    fillLines();
+    connect(&m_document, &Document::changed, this, &FormPatternWindow::documentChanged);
+    connect(&m_document, &Document::gestureEnded, this, [this] { ask(false); });
+    connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
+    formChosen();
+}
+
+FormPatternWindow::~FormPatternWindow()
+{
+    m_job.cancel();
+}
+
+void FormPatternWindow::build()
+{
+    m_view = new FlatPiecesView(this);
+    m_said = new QLabel(this);
+    m_said->setWordWrap(true);
+    m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_said->setMinimumHeight(3 * m_said->fontMetrics().lineSpacing());
+    m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* right = new QWidget(this);
+    auto* column = new QVBoxLayout(right);
+    column->setContentsMargins({});
+    column->addWidget(m_view, 1);
+    column->addWidget(m_said);
+    auto* splitter = new QSplitter(this);
+    splitter->addWidget(buildWishes());
+    splitter->addWidget(right);
+    splitter->setStretchFactor(1, 1);
+    splitter->setChildrenCollapsible(false);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_make = buttons->addButton(tr("&Make the pattern"), QDialogButtonBox::AcceptRole);
+    m_make->setDefault(true);
+    connect(m_make, &QPushButton::clicked, this, &FormPatternWindow::make);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(splitter, 1);
+    layout->addWidget(buttons);
+    resize(860, 520);
+    if (const QWidget* window = parentWidget()) // over the pattern: lines are drawn in the 3D view
+        move(window->geometry().left() + 24, window->geometry().bottom() - height() - 40);
+}
+
+QWidget* FormPatternWindow::buildWishes()
+{
+    auto* wishes = new QWidget(this);
+    m_form = new QComboBox(wishes);
+    m_form->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_form->setMinimumContentsLength(16);
+    connect(m_form, &QComboBox::activated, this, [this] {
+        if (m_form->currentData().toString() == "file")
+            chooseFile();
+        formChosen();
+    });
+    m_fabric = new QComboBox(wishes);
+    connect(m_fabric, &QComboBox::activated, this, [this] { ask(false); });
+    m_groups = new QCheckBox(tr("where its &parts meet"), wishes);
+    m_groups->setChecked(true);
+    m_bends = new QCheckBox(tr("where it &bends by more than"), wishes);
+    m_angle = new NumberBox({tr("\u00b0"), 1, 1, 179, 5}, wishes);
+    m_angle->setAccessibleName(tr("Angle"));
+    m_angle->display(35);
+    connect(m_groups, &QCheckBox::toggled, this, [this] { ask(false); });
+    connect(m_bends, &QCheckBox::toggled, this, [this] { ask(false); });
+    connect(m_angle, &NumberBox::entered, this, [this] {
+        if (m_bends->isChecked())
+            ask(false);
+    });
+    m_lines = new QTreeWidget(wishes);
+    m_lines->setHeaderHidden(true);
+    m_lines->setRootIsDecorated(false);
+    m_lines->setAccessibleName(tr("Seam lines"));
+    m_lines->setToolTip(tr("Fixation curves of the design. Draw seam lines on a frame with the tool for fixation "
+                           "curves: what is drawn meanwhile is cut at once"));
+    connect(m_lines, &QTreeWidget::itemChanged, this, [this] { ask(false); });
+    auto* bend = new QHBoxLayout;
+    bend->addWidget(m_bends);
+    bend->addWidget(m_angle);
+    bend->addStretch(1);
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Form"), m_form);
+    form->addRow(tr("Fa&bric"), m_fabric);
+    auto* rows = new QVBoxLayout(wishes);
+    rows->setContentsMargins({});
+    rows->addLayout(form);
+    rows->addWidget(new QLabel(tr("It is cut"), wishes));
+    rows->addWidget(m_groups);
+    rows->addLayout(bend);
+    rows->addWidget(new QLabel(tr("and along the ticked lines:"), wishes));
+    rows->addWidget(m_lines, 1);
+    return wishes;
+}
+
+void FormPatternWindow::fillForms()
+{
+    m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
+        if (m_session.files().meshes.contains(id))
+            m_form->addItem(QString::fromStdString(frame.name), number(id));
+    });
+    if (m_solver.surface() && !m_solver.surface()->positions.empty())
+        m_form->addItem(tr("The cover as it is"), "cover");
+    m_form->addItem(tr("A file \u2026"), "file");
+}
+
+void FormPatternWindow::fillFabrics()
+{
+    m_document.design().each<Fabric>([&](ElementId id, const Fabric& fabric) {
+        m_fabric->addItem(QString::fromStdString(fabric.name), number(id));
+    });
+    if (m_fabric->count() == 0)
+        m_fabric->addItem(tr("New fabric"), number(noElement));
+}
+
+/// Lines that are new are ticked.
+void FormPatternWindow::fillLines()
+{
+    std::map<quint32, Qt::CheckState> before;
+    for (int row = 0; row < m_lines->topLevelItemCount(); ++row)
+        before[m_lines->topLevelItem(row)->data(0, Qt::UserRole).toUInt()] =
+            m_lines->topLevelItem(row)->checkState(0);
+    const QSignalBlocker quiet(m_lines);
+    m_lines->clear();
+    m_document.design().each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
+        auto* row = new QTreeWidgetItem(m_lines, {QString::fromStdString(curve.name)});
+        row->setData(0, Qt::UserRole, number(id));
+        const auto known = before.find(number(id));
+        row->setCheckState(0, known == before.end() ? Qt::Checked : known->second);
+    });
+}
+
+void FormPatternWindow::chooseFile()
+{
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("The form to be covered"), m_session.path(),
+        tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    m_file = file;
+    m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
+}
+
+void FormPatternWindow::formChosen()
+{
+    m_mesh = mesh();
+    ask(false);
+}
+
+std::shared_ptr<const TriangleMesh> FormPatternWindow::mesh() const
+{
+    const QVariant chosen = m_form->currentData();
+    if (chosen.toString() == "cover")
+        return meshOf(*m_solver.surface(), m_document.design());
+    if (chosen.toString() == "file")
+        return nullptr;
+    const auto id = static_cast<ElementId>(chosen.toUInt());
+    const auto* frame = m_document.design().find<Frame>(id);
+    const auto file = m_session.files().meshes.find(id);
+    return frame && file != m_session.files().meshes.end() ? placedMesh(*frame, file->second) : nullptr;
+}
+
+Fabric FormPatternWindow::fabric() const
+{
+    const auto* found = m_document.design().find<Fabric>(static_cast<ElementId>(m_fabric->currentData().toUInt()));
+    Fabric fabric = found ? *found : Fabric{};
+    if (fabric.name.empty())
+        fabric.name = tr("Fabric").toStdString();
+    return fabric;
+}
+
+std::vector<FormLine> FormPatternWindow::chosenLines() const
+{
+    Design ticked;
+    for (int row = 0; row < m_lines->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem* item = m_lines->topLevelItem(row);
+        const auto id = static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt());
+        if (item->checkState(0) == Qt::Checked)
+            if (const ElementPtr curve = m_document.design().element(id))
+                ticked = ticked.with({{}, {{id, nullptr, curve}}});
+    }
+    return linesOf(ticked);
+}
+
+void FormPatternWindow::ask(bool draft)
+{
+    m_upToDate = false;
+    m_make->setEnabled(false);
+    m_drawn = m_document.design();
+    const bool file = m_form->currentData().toString() == "file";
+    if (!m_mesh && (!file || m_file.isEmpty())) {
+        m_said->setText(file ? tr("Choose the file of a form.") : tr("There is no form: import a frame first."));
+        return;
+    }
+    FormWanted wanted;
+    wanted.number = ++m_asked;
+    wanted.mesh = m_mesh;
+    wanted.file = m_file;
+    wanted.draft = draft;
+    wanted.cuts.groups = m_groups->isChecked();
+    if (m_bends->isChecked())
+        wanted.cuts.angle = m_angle->value();
+    wanted.cuts.lines = chosenLines();
+    wanted.order.fabric = fabric();
+    wanted.order.edgeLength = m_document.design().settings().edgeLength;
+    if (!draft)
+        m_said->setText(tr("Laying it flat \u2026"));
+    m_job.request(std::move(wanted), !draft);
+}
+
+void FormPatternWindow::take(FormMade made)
+{
+    const bool newest = made.number == m_asked;
+    if (!newest && !made.draft)
+        return;
+    m_upToDate = newest;
+    m_made = std::make_shared<FormMade>(std::move(made));
+    m_view->show(m_made->problem.empty() ? m_made : nullptr, limitOf(fabric()));
+    m_make->setEnabled(this->made() && m_made->problem.empty() && !m_made->pattern.patches.empty());
+    say();
+}
+
+void FormPatternWindow::say()
+{
+    if (!m_made->problem.empty()) {
+        m_said->setText(translated(m_made->problem));
+        return;
+    }
+    QStringList lines;
+    double most = 0, widest = 0;
+    std::string where;
+    int over = 0;
+    for (std::size_t p = 0; p < m_made->flat.size(); ++p) {
+        if (m_made->flat[p].strainRms > most) {
+            most = m_made->flat[p].strainRms;
+            where = m_made->form.pieces[p].name;
+        }
+        over += m_made->flat[p].strainMost > limitOf(fabric());
+    }
+    for (const FormSeam& seam : m_made->pattern.seams)
+        widest = std::max(widest, std::abs(seam.first - seam.second));
+    lines << tr("%n pieces", nullptr, static_cast<int>(m_made->flat.size())) + ", " +
+                 tr("%n seams, whose sides differ by %1 at most", nullptr,
+                    static_cast<int>(m_made->pattern.seams.size()))
+                     .arg(lengthText(widest, 2));
+    if (!where.empty())
+        lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
+    if (over > 0)
+        lines << tr("%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut "
+                    "them in there.",
+                    nullptr, over);
+    for (const Message& note : m_made->form.notes)
+        lines << translated(note);
+    for (const Message& note : m_made->pattern.notes)
+        lines << translated(note);
+    m_said->setText(lines.join('\n'));
+}
+
+void FormPatternWindow::make()
+{
+    if (!made())
+        return;
+    m_document.cancelGesture();
+    Box2 there, own;
+    m_document.design().each<Patch>([&](ElementId, const Patch& patch) {
+        for (const Vec2& point : patch.outline.points())
+            there.extend(toLayout(patch, point));
+    });
+    m_made->pattern.design.each<Patch>([&](ElementId, const Patch& patch) {
+        for (const Vec2& point : patch.outline.points())
+            own.extend(toLayout(patch, point));
+    });
+    const Vec2 offset = there.isEmpty() ? Vec2::Zero()
+                                        : Vec2(there.min().x() - own.min().x(),
+                                               there.min().y() - besidePattern - own.max().y());
+    edits::Outcome outcome =
+        edits::paste(m_document.design(), writeDesign(m_made->pattern.design), offset);
+    if (outcome.edit.empty()) {
+        m_said->setText(translated(outcome.problem));
+        return;
+    }
+    outcome.edit.verb = {QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"), {}};
+    const std::vector<ElementId> added = edits::addedPieces(outcome.edit);
+    m_document.commit(std::move(outcome.edit));
+    emit patternMade(added);
+    close();
+}
+
+void FormPatternWindow::documentChanged()
+{
+    const auto curvesOf = [](const Design& design) {
+        std::map<ElementId, ElementPtr> curves;
+        design.each<FixationCurve>([&](ElementId id, const FixationCurve&) { curves[id] = design.element(id); });
+        return curves;
+    };
+    if (curvesOf(m_drawn) == curvesOf(m_document.design()))
+        return;
+    fillLines();
+    ask(m_document.gestureRunning());
+}
+
+} // namespace bolster

@@ -1,0 +1,75 @@
+// Makes the pattern of a form: which form, where it is cut, and how the pieces lie flat, as long as seam lines are
+// drawn on it.
+#pragma once
+
+#include "Document.h"
+#include "FormPatternJob.h"
+#include "LatestJob.h"
+#include "SurfaceMesh.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace bolster {
+
+class DesignSession;
+class FlatPiecesView;
+class NumberBox;
+class SolverLink;
+
+class FormPatternWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    FormPatternWindow(DesignSession& session, SolverLink& solver, QWidget* parent = nullptr);
+    ~FormPatternWindow() override;
+
+    /// What was made of the wishes as they are now, whole; null while it is being made, or cannot be.
+    const FormMade* made() const { return m_made && !m_made->draft && m_upToDate ? m_made.get() : nullptr; }
+
+signals:
+    /// These patches were added: they shall be seen.
+    void patternMade(const std::vector<bolster::ElementId>& patches);
+
+private:
+    void build();
+    QWidget* buildWishes();
+    void fillForms();
+    void fillLines();
+    void fillFabrics();
+    void chooseFile();
+    void formChosen();
+    void ask(bool draft);
+    void take(FormMade made);
+    void say();
+    void make();
+    void documentChanged();
+    std::vector<FormLine> chosenLines() const;
+    Fabric fabric() const;
+    std::shared_ptr<const TriangleMesh> mesh() const;
+
+    DesignSession& m_session;
+    Document& m_document;
+    SolverLink& m_solver;
+    QComboBox *m_form = nullptr, *m_fabric = nullptr;
+    QString m_file;
+    QCheckBox *m_groups = nullptr, *m_bends = nullptr;
+    NumberBox* m_angle = nullptr;
+    QTreeWidget* m_lines = nullptr;
+    FlatPiecesView* m_view = nullptr;
+    QLabel* m_said = nullptr;
+    QPushButton* m_make = nullptr;
+    Design m_drawn; ///< of which the lines are
+    std::shared_ptr<const TriangleMesh> m_mesh;
+    std::shared_ptr<const FormMade> m_made;
+    int m_asked = 0;
+    bool m_upToDate = false;
+    LatestJob<FormWanted, FormMade> m_job; ///< last: it uses the others
+};
+
+} // namespace bolster
