@@ -114,7 +114,7 @@ void FormPatternWindow::build()
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter, 1);
     layout->addWidget(buttons);
-    resize(860, 520);
+    resize(760, 500);
     if (const QWidget* window = parentWidget()) // over the pattern: lines are drawn in the 3D view
         move(window->geometry().left() + 24, window->geometry().bottom() - height() - 40);
 }
@@ -311,7 +311,7 @@ void FormPatternWindow::say()
             most = m_made->flat[p].strainRms;
             where = m_made->form.pieces[p].name;
         }
-        over += m_made->flat[p].strainMost > limitOf(fabric());
+        over += m_made->flat[p].strainP99 > limitOf(fabric());
     }
     for (const FormSeam& seam : m_made->pattern.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));

@@ -132,6 +132,23 @@ public:
 
     const std::vector<SewnEdge>& sewn() const { return m_sewn; }
 
+    /// That 99 % of the area do not exceed.
+    double percentile99(const std::vector<float>& strains) const
+    {
+        std::vector<std::pair<float, double>> sizes;
+        double all = 0;
+        for (std::size_t t = 0; t < strains.size(); ++t) {
+            sizes.emplace_back(strains[t], m_facets[t].area);
+            all += m_facets[t].area;
+        }
+        std::ranges::sort(sizes);
+        double sum = 0;
+        for (const auto& [strain, area] : sizes)
+            if ((sum += area) >= 0.99 * all)
+                return strain;
+        return 0;
+    }
+
     FlatPiece result()
     {
         turnUpwards();
@@ -159,6 +176,7 @@ public:
             flat.strain.push_back(static_cast<float>(counts ? largest : 0));
         }
         flat.strainRms = area > 0 ? std::sqrt(sum / area) : 0;
+        flat.strainP99 = percentile99(flat.strain);
         for (Eigen::Index v = 0; v < m_count; ++v)
             flat.at.emplace_back(m_at.row(v).transpose());
         return flat;

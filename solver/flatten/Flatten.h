@@ -16,6 +16,7 @@ struct FlattenOrder {
 struct FlatPiece {
     std::vector<Vec2> at;  ///< of each vertex of the piece, mm; counter-clockwise as the piece seen from outside
     double strainRms = 0;  ///< of the cloth when it lies on the form, both directions, weighted by area; 1
+    double strainP99 = 0;  ///< size of a principal strain that 99 % of the area do not exceed; 1
     double strainMost = 0; ///< largest size of a principal strain; 1
     Vec3 strainedAt = Vec3::Zero(); ///< where that is, on the form
     std::vector<float> strain;      ///< of each triangle: that size; 1

@@ -5,6 +5,7 @@
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "PlaneCurves.h"
+#include "TwinEdits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,8 @@ namespace {
 constexpr double sharpTurn = 35;       // degrees: an outline or a border that turns more has a corner
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
-constexpr double rowOfPatches = 2500;  // mm
+constexpr double rowsWide = 1.5;       // times as wide as high is what lies in rows
+constexpr double sameSize = 0.02;      // share by which twins differ
 
 template <class Point>
 double turnAt(const Point& before, const Point& at, const Point& after)
@@ -97,11 +99,14 @@ public:
         m_builder.replace(settingsId, settings);
         m_fabric = m_builder.add(m_order.fabric);
         m_starts.resize(m_form.pieces.size());
+        m_rowWidth = rowWidth();
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
             addPatch(p);
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
             for (std::size_t r = 0; r < piece(p).rows.size(); ++r)
                 addRow(p, r);
+        if (m_order.twins)
+            linkTwins();
         m_result.design = m_builder.now();
         return std::move(m_result);
     }
@@ -173,10 +178,22 @@ private:
         return {fitted.degree(), false, std::move(points), fitted.knots()};
     }
 
+    double rowWidth() const
+    {
+        double area = 0;
+        for (const FlatPiece& flat : m_flat) {
+            Box2 box;
+            for (const Vec2& at : flat.at)
+                box.extend(at);
+            area += (box.sizes().x() + besideEachOther) * (box.sizes().y() + besideEachOther);
+        }
+        return rowsWide * std::sqrt(area);
+    }
+
     /// Side by side, in rows from above to below.
     Vec2 place(const Box2& box)
     {
-        if (m_cursor.x() > 0 && m_cursor.x() + box.sizes().x() > rowOfPatches) {
+        if (m_cursor.x() > 0 && m_cursor.x() + box.sizes().x() > m_rowWidth) {
             m_cursor = {0, m_cursor.y() - m_rowHeight - besideEachOther};
             m_rowHeight = 0;
         }
@@ -292,6 +309,36 @@ private:
         m_builder.add(fixation);
     }
 
+    Vec3 middleOf(std::size_t p) const
+    {
+        Vec3 sum = Vec3::Zero();
+        for (const int vertex : piece(p).border)
+            sum += m_form.points[piece(p).points[vertex]];
+        return sum / static_cast<double>(std::max<std::size_t>(piece(p).border.size(), 1));
+    }
+
+    /// Pieces that are mirror images of each other at the usual plane of symmetry follow each other from now on.
+    void linkTwins()
+    {
+        Box3 box;
+        for (const Vec3& point : m_form.points)
+            box.extend(point);
+        const double near = sameSize * box.sizes().norm();
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            for (std::size_t q = p + 1; q < m_form.pieces.size(); ++q) {
+                const Vec3 here = middleOf(p), there = middleOf(q);
+                const bool mirrored = (Vec3(-here.x(), here.y(), here.z()) - there).norm() < near;
+                if (!mirrored || !isThere(p) || !isThere(q) ||
+                    std::abs(m_flat[p].area / m_flat[q].area - 1) > sameSize)
+                    continue;
+                const Edit link = edits::linkTwins(m_builder.now(), m_result.patches[p], m_result.patches[q]);
+                if (!link.empty() && checkedWell(m_builder.now().with(link)))
+                    m_builder.apply(link);
+            }
+    }
+
+    static bool checkedWell(const Design& design) { return !hasErrors(checkDesign(design)); }
+
     const Form& m_form;
     const std::vector<FlatPiece>& m_flat;
     const FormPatternOrder& m_order;
@@ -302,6 +349,7 @@ private:
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;
     Vec2 m_cursor = Vec2::Zero();
     double m_rowHeight = 0;
+    double m_rowWidth = 0;
 };
 
 } // namespace

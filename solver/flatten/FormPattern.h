@@ -10,6 +10,7 @@ struct FormPatternOrder {
     double tolerance = 0.2; ///< mm, of outlines and fixation curves
     Fabric fabric;
     double edgeLength = 12; ///< of the design, mm
+    bool twins = true;      ///< pieces that are each other's mirror image at x = 0 become twins
     double hardEdge = 20;   ///< degrees: seams that bend by less are rounded (G1)
 };
 
