@@ -22,13 +22,14 @@ InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Sel
         m_session.document().design().each<Patch>([&](ElementId, const Patch&) { found = true; });
         return found;
     };
-    commands.add({.id = "pattern.from-form",
-                  .text = tr("From a f&orm \u2026"),
-                  .keys = {Qt::CTRL | Qt::ALT | Qt::Key_O},
-                  .tip = tr("Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of "
-                            "them"),
-                  .places = {"pattern/6"},
-                  .does = [this] { fromForm(); }});
+    commands.add(
+        {.id = "pattern.from-form",
+         .text = tr("From a f&orm \u2026"),
+         .keys = {Qt::CTRL | Qt::ALT | Qt::Key_O},
+         .tip = tr("Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of "
+                   "them"),
+         .places = {"pattern/6"},
+         .does = [this] { fromForm(); }});
     commands.add({.id = "pattern.fit",
                   .text = tr("&Fit to a goal \u2026"),
                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_G},
@@ -36,6 +37,13 @@ InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Sel
                   .places = {"pattern/6"},
                   .enabled = anyPatch,
                   .does = [this] { fit(); }});
+}
+
+/// They go before what they use: as children of the window they would go after it.
+InverseCommands::~InverseCommands()
+{
+    delete m_fit;
+    delete m_form;
 }
 
 void InverseCommands::fit()

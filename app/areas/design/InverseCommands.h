@@ -21,6 +21,7 @@ class InverseCommands : public QObject {
 public:
     InverseCommands(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
                     PatternView& pattern, QWidget& window);
+    ~InverseCommands() override;
 
 private:
     void fit();

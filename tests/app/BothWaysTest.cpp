@@ -1,0 +1,253 @@
+// From a form to its pattern, and a pattern that follows a goal: by pointer and keys.
+#include "WindowTest.h"
+
+#include "DesignJson.h"
+#include "Designer.h"
+#include "FormPatternWindow.h"
+#include "NumberBox.h"
+#include "PatternFitWindow.h"
+#include "RestingSolve.h"
+#include "SurfaceExport.h"
+
+#include <QFile>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+
+#include <cmath>
+#include <numbers>
+
+namespace bolster {
+namespace {
+
+constexpr double bowlRadius = 250, bowlHeight = 60; // mm
+
+Vec3 onBowl(double x, double y)
+{
+    return {x, y, bowlHeight * (1 - (x * x + y * y) / (bowlRadius * bowlRadius))};
+}
+
+/// The back of a bucket seat: a round form, open below.
+void writeBowl(const QString& path)
+{
+    constexpr int rings = 24, around = 72;
+    QString text = "v 0 0 60\n";
+    for (int r = 1; r <= rings; ++r)
+        for (int k = 0; k < around; ++k) {
+            const double angle = 2 * std::numbers::pi * k / around, radius = bowlRadius * r / rings;
+            const Vec3 at = onBowl(radius * std::cos(angle), radius * std::sin(angle));
+            text += QString("v %1 %2 %3\n").arg(at.x()).arg(at.y()).arg(at.z());
+        }
+    const auto vertex = [](int ring, int k) { return ring == 0 ? 1 : 2 + (ring - 1) * around + k % around; };
+    for (int r = 0; r < rings; ++r)
+        for (int k = 0; k < around; ++k) {
+            text += QString("f %1 %2 %3\n").arg(vertex(r, k)).arg(vertex(r + 1, k)).arg(vertex(r + 1, k + 1));
+            if (r > 0)
+                text += QString("f %1 %2 %3\n").arg(vertex(r, k)).arg(vertex(r + 1, k + 1)).arg(vertex(r, k + 1));
+        }
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text.toUtf8());
+}
+
+void writeText(const QString& path, const std::string& text)
+{
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(text));
+}
+
+class BothWaysTest : public WindowTest {
+protected:
+    const Design& design() { return window.document().design(); }
+    template <class T>
+    int count()
+    {
+        int found = 0;
+        design().each<T>([&](ElementId, const T&) { ++found; });
+        return found;
+    }
+
+    void drawSeam(const std::vector<Vec3>& places)
+    {
+        designer.choose({"Frame", "Draw fixation curve"});
+        for (const Vec3& place : places)
+            designer.clickCover(place);
+        designer.key(Qt::Key_Return);
+        designer.key(Qt::Key_Escape);
+    }
+
+    static void pressIn(QWidget& dialog, const QString& text)
+    {
+        for (auto* button : dialog.findChildren<QPushButton*>())
+            if (button->text().remove('&') == text) {
+                ASSERT_TRUE(button->isEnabled());
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        FAIL() << "no button " << text.toStdString();
+    }
+
+    Designer designer{window};
+    QTemporaryDir folder;
+};
+
+TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
+{
+    writeBowl(folder.filePath("bowl.obj"));
+    Design start;
+    Frame frame;
+    frame.name = "Bucket";
+    frame.file = "bowl.obj";
+    start = start.with({{}, {{start.nextId(), nullptr, makeElement(frame)}}});
+    writeText(folder.filePath("bucket.json"), writeDesign(start));
+    ASSERT_TRUE(open(folder.filePath("bucket.json")));
+    waitForBackground();
+    window.coverView().navigation().setStandardView(CoverView::StandardView::Top);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window.coverView().navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-9); }, 10000));
+    const double end = 0.985 * std::sqrt(bowlRadius * bowlRadius - 90.0 * 90.0);
+    for (const double x : {-90.0, 90.0})
+        drawSeam({onBowl(x, -end), onBowl(x, -end / 2), onBowl(x, 0), onBowl(x, end / 2), onBowl(x, end)});
+    for (const double y : {-110.0, 110.0})
+        drawSeam({onBowl(-88, y), onBowl(-45, y), onBowl(0, y), onBowl(45, y), onBowl(88, y)});
+    ASSERT_EQ(count<FixationCurve>(), 4);
+
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    EXPECT_EQ(dialog->made()->flat.size(), 5U);
+    const int steps = window.document().history().count();
+    pressIn(*dialog, "Make the pattern");
+    EXPECT_EQ(count<Patch>(), 5);
+    EXPECT_EQ(count<Seam>(), 8);
+    EXPECT_EQ(window.document().history().count(), steps + 1);
+    takeKeyboard();
+    ASSERT_TRUE(waitUntilAtRest());
+    const SolveReport& report = window.solver().report();
+    EXPECT_LT(report.strain.rms, 0.03);
+    EXPECT_EQ(report.flippedTriangles, 0);
+    // The cover lies where the form was: flat enough that nothing but its border holds it.
+    for (const Vec3& at : window.solver().surface()->positions)
+        EXPECT_NEAR(at.z(), onBowl(at.x(), at.y()).z(), 12);
+    designer.key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(count<Patch>(), 0);
+    EXPECT_EQ(count<FixationCurve>(), 4);
+}
+
+/// The sample's cover as it should be is the scan; one of its patches is too large.
+TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
+{
+    const QString path = sample("box-cushion");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const Design right = readDesign(file.readAll().toStdString()).design;
+    const SolveResult solved = solveResting(right, {});
+    ASSERT_TRUE(solved.surface);
+    ASSERT_TRUE(exportPly(*solved.surface, right, folder.filePath("built.ply")).empty());
+    Design bent = right;
+    std::vector<ElementId> patches;
+    right.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (patch.twin)
+            return;
+        Patch wider = patch;
+        std::vector<Vec2> points = patch.outline.points();
+        const Vec2 middle = patch.outline.boundingBox().center();
+        for (Vec2& point : points)
+            point = middle + 1.03 * (point - middle);
+        wider.outline = wider.outline.withPoints(points);
+        bent = bent.with({{}, {{id, bent.element(id), makeElement(wider)}}});
+        patches.push_back(id);
+    });
+    Scan scan;
+    scan.name = "Built";
+    scan.file = "built.ply";
+    scan.enabled = false;
+    bent = bent.with({{}, {{bent.nextId(), nullptr, makeElement(scan)}}});
+    writeText(folder.filePath("cushion.json"), writeDesign(bent));
+    ASSERT_TRUE(open(folder.filePath("cushion.json")));
+    ASSERT_TRUE(waitUntilAtRest());
+    waitForBackground();
+    const Design before = design();
+
+    designer.choose({"Pattern", "Fit to a goal"});
+    auto* dialog = window.findChild<PatternFitWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasFound(); }, 120000));
+    EXPECT_TRUE(window.document().gestureRunning()) << "the change is seen at once";
+    auto* list = dialog->findChild<QTreeWidget*>();
+    ASSERT_GE(list->topLevelItemCount(), 2);
+    const auto idOf = [&](int row) {
+        return static_cast<ElementId>(list->topLevelItem(row)->data(0, Qt::UserRole).toUInt());
+    };
+    const auto outlineNow = [&](ElementId id) { return design().find<Patch>(id)->outline; };
+    const ElementId left = idOf(0), taken = idOf(1);
+    const BSpline2 whole = outlineNow(taken);
+    EXPECT_FALSE(outlineNow(left) == before.find<Patch>(left)->outline);
+
+    list->setFocus();
+    list->setCurrentItem(list->topLevelItem(0));
+    QTest::keyClick(list, Qt::Key_Space); // not that one
+    EXPECT_TRUE(outlineNow(left) == before.find<Patch>(left)->outline);
+    auto* share = dialog->findChild<QSlider*>();
+    share->setFocus();
+    for (int k = 0; k < 5; ++k)
+        QTest::keyClick(share, Qt::Key_PageDown); // 50 %
+    ASSERT_EQ(share->value(), 50);
+    const Vec2 start = before.find<Patch>(taken)->outline.points()[0];
+    const Vec2 half = outlineNow(taken).points()[0];
+    EXPECT_LT((half - (start + whole.points()[0]) / 2).norm(), 1e-6);
+
+    const int steps = window.document().history().count();
+    pressIn(*dialog, "Take the changes");
+    EXPECT_FALSE(window.document().gestureRunning());
+    EXPECT_EQ(window.document().history().count(), steps + 1);
+    EXPECT_TRUE(outlineNow(left) == before.find<Patch>(left)->outline);
+    EXPECT_LT((outlineNow(taken).points()[0] - half).norm(), 1e-9);
+    dialog->close();
+    takeKeyboard();
+    designer.key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+}
+
+TEST_F(BothWaysTest, AnEditMeanwhileEndsTheSearchAndNothingIsLost)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilAtRest());
+    designer.choose({"Pattern", "Fit to a goal"});
+    auto* dialog = window.findChild<PatternFitWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    QTest::keyClick(dialog, Qt::Key_Return); // strain: there is no scan
+    Fabric other;
+    other.name = "Other";
+    window.document().commit({{}, {{design().nextId(), nullptr, makeElement(other)}}});
+    const Design edited = design();
+    EXPECT_FALSE(QTest::qWaitFor([&] { return dialog->hasFound(); }, 3000));
+    EXPECT_FALSE(window.document().gestureRunning());
+    EXPECT_EQ(writeDesign(design()), writeDesign(edited));
+    dialog->close();
+}
+
+TEST_F(BothWaysTest, TheWindowCanBeClosedWhileAChangeIsShown)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilAtRest());
+    designer.choose({"Pattern", "Fit to a goal"});
+    auto* dialog = window.findChild<PatternFitWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    for (auto* box : dialog->findChildren<NumberBox*>())
+        if (box->suffix().contains('%'))
+            box->setValue(0.1);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasFound(); }, 120000));
+    EXPECT_TRUE(window.document().gestureRunning()); // what follows ends with it
+}
+
+} // namespace
+} // namespace bolster
