@@ -3,6 +3,7 @@
 #include "BorderRows.h"
 #include "FormLines.h"
 #include "HalfEdges.h"
+#include "SimplifyMesh.h"
 #include "UnionFind.h"
 
 #include <algorithm>
@@ -151,8 +152,7 @@ private:
     {
         if (m_cuts.lines.empty() || m_stop.stop_requested())
             return;
-        LinedTriangles lined =
-            cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop);
+        LinedTriangles lined = cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop);
         if (!lined.problem.empty()) {
             m_form.problem = lined.problem;
             return;
@@ -437,20 +437,40 @@ std::vector<FormLine> linesOf(const Design& design)
     return lines;
 }
 
-Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
+/// Not too many triangles.
+static Form cutFewer(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
 {
     Form form;
-    if (mesh.triangles.size() > mostFormTriangles) {
-        form.problem = {QT_TRANSLATE_NOOP("Message", "it has %1 triangles, more than %2: make it coarser first"),
-                        {std::to_string(mesh.triangles.size()), std::to_string(mostFormTriangles)}};
-        return form;
-    }
     Welded welded = weld(mesh);
     if (welded.triangles.empty()) {
         form.problem = {QT_TRANSLATE_NOOP("Message", "it has no triangle with an area"), {}};
         return form;
     }
     return Cutter(std::move(welded), cuts, stop).cut();
+}
+
+Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
+{
+    Form form;
+    if (mesh.triangles.size() > mostFormTriangles) {
+        const SimplifiedMesh fewer = simplified(mesh, {}, mostFormTriangles, stop);
+        if (stop.stop_requested())
+            return form;
+        if (fewer.mesh.triangles.size() > 2 * mostFormTriangles) { // all of them are at borders
+            form.problem = {QT_TRANSLATE_NOOP("Message", "it has %1 triangles, and cannot be made simpler"),
+                            {std::to_string(mesh.triangles.size())}};
+            return form;
+        }
+        form = cutFewer(fewer.mesh, cuts, stop);
+        form.notes.insert(
+            form.notes.begin(),
+            {QT_TRANSLATE_NOOP("Message", "The form has %1 triangles; %2 stand for it, which are up to "
+                                          "%3 mm off"),
+             {std::to_string(mesh.triangles.size()), std::to_string(fewer.mesh.triangles.size()),
+              numberText(fewer.off, 2)}});
+        return form;
+    }
+    return cutFewer(mesh, cuts, stop);
 }
 
 } // namespace bolster

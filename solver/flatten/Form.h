@@ -69,7 +69,8 @@ struct Form {
     Message problem;            ///< why there is none; pieces are empty then
 };
 
-inline constexpr std::size_t mostFormTriangles = 500'000;
+/// A form with more is made simpler first, with a note about how far that is off.
+inline constexpr std::size_t mostFormTriangles = 300'000;
 
 /// The fixation curves of a design, as lines.
 std::vector<FormLine> linesOf(const Design& design);

@@ -7,6 +7,7 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,12 @@ using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph
 
 constexpr double spacing = 4;      // mm between places on a line
 constexpr double ribbon = 1.5;     // mm that a ribbon stands out on either side
+constexpr double farthest = 25;    // mm: what lies farther from the form is no line on it
 constexpr double reach = 10;       // mm: a line that ends so near to a border or another line goes on to it
 constexpr double overshoot = 1;    // mm, so that they surely cross
+constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
+constexpr double lowest = 0.01;    // height of a triangle, of its longest edge
+constexpr int roundsOfTidying = 6;
 constexpr double longestSpur = 14; // mm: what hangs over at the end of a line that was prolonged
 
 Kernel::Point_3 toCgal(const Vec3& p)
@@ -79,6 +84,13 @@ std::vector<Vec3> evenly(const FormLine& line)
     return places;
 }
 
+/// For CGAL: edges that must not go.
+struct HeldEdges {
+    const CgalMesh* mesh;
+    const CgalMesh::Property_map<FormEdge, bool>* cut;
+    friend bool get(const HeldEdges& held, FormEdge e) { return (*held.cut)[e] || held.mesh->is_border(e); }
+};
+
 class LineCutter {
 public:
     LineCutter(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
@@ -103,6 +115,12 @@ public:
 
     void cut(const FormLine& line, const std::vector<FormLine>& all)
     {
+        if (const double away = distanceOf(line); away > farthest) {
+            m_notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 is %2 mm away from the form: it is not cut along it"),
+                 {line.name, numberText(away, 2)}});
+            return;
+        }
         CgalMesh strip = ribbonAlong(line, all);
         PartsKept visitor;
         visitor.part = m_part;
@@ -113,7 +131,10 @@ public:
     LinedTriangles result(const std::vector<FormLine>& lines)
     {
         pruneSpurs();
+        for (int round = 0; round < roundsOfTidying && (joinNearPoints() || flattenCaps()); ++round)
+            m_mesh.collect_garbage();
         LinedTriangles result;
+        result.notes = m_notes;
         std::map<Vertex, int> number;
         for (const Vertex v : m_mesh.vertices()) {
             number[v] = static_cast<int>(result.points.size());
@@ -138,6 +159,17 @@ public:
     }
 
 private:
+    /// Of most of its places, mm.
+    double distanceOf(const FormLine& line) const
+    {
+        const FaceTree tree(m_mesh.faces().begin(), m_mesh.faces().end(), m_mesh);
+        std::vector<double> distances;
+        for (const Vec3& place : line.points)
+            distances.push_back(std::sqrt(tree.squared_distance(toCgal(place))));
+        std::ranges::sort(distances);
+        return distances[distances.size() / 2];
+    }
+
     LinePlace placeOf(const FaceTree& tree, const Vec3& at) const
     {
         const auto [point, face] = tree.closest_point_and_primitive(toCgal(at));
@@ -221,6 +253,84 @@ private:
         return ends;
     }
 
+    double lengthOf(FormEdge e) const
+    {
+        return std::sqrt(
+            CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))));
+    }
+    bool isHeld(FormEdge e) const { return get(HeldEdges{&m_mesh, &m_cut}, e); }
+    bool isOnLine(Vertex v) const
+    {
+        const auto around = m_mesh.halfedges_around_target(m_mesh.halfedge(v));
+        return std::ranges::any_of(around, [&](auto half) { return m_cut[m_mesh.edge(half)]; });
+    }
+
+    /// Of those edges of two triangles beside an edge that become one, one at most is held.
+    bool canCollapse(FormEdge e) const
+    {
+        if (!CGAL::Euler::does_satisfy_link_condition(e, m_mesh))
+            return false;
+        for (const auto half : {m_mesh.halfedge(e, 0), m_mesh.halfedge(e, 1)})
+            if (!m_mesh.is_border(half) && isHeld(m_mesh.edge(m_mesh.next(half))) &&
+                isHeld(m_mesh.edge(m_mesh.prev(half))))
+                return false;
+        const Vertex a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+        const bool bothHeld = (isOnLine(a) || m_mesh.is_border(a)) && (isOnLine(b) || m_mesh.is_border(b));
+        return isHeld(e) || !bothHeld;
+    }
+
+    /// A line that passes close by a point goes through it. Whether there were such.
+    bool joinNearPoints()
+    {
+        std::vector<FormEdge> edges;
+        for (const FormEdge e : m_mesh.edges())
+            if (lengthOf(e) < nearPoints)
+                edges.push_back(e);
+        bool any = false;
+        for (const FormEdge e : edges) {
+            if (m_mesh.is_removed(e) || lengthOf(e) >= nearPoints || !canCollapse(e))
+                continue;
+            const Vertex a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+            // Borders stay where they are, and lines where nothing else is.
+            const auto rank = [&](Vertex v) { return m_mesh.is_border(v) ? 2 : isOnLine(v) ? 1 : 0; };
+            const Kernel::Point_3 at = m_mesh.point(rank(a) > rank(b) ? a : b);
+            m_cut[e] = false;
+            m_mesh.point(CGAL::Euler::collapse_edge(e, m_mesh, HeldEdges{&m_mesh, &m_cut})) = at;
+            any = true;
+        }
+        return any;
+    }
+
+    /// Triangles that are as good as their longest edge: another edge takes its place, or the line goes the other
+    /// way around. Whether there were such.
+    bool flattenCaps()
+    {
+        bool any = false;
+        for (const Face f : m_mesh.faces()) {
+            auto longest = m_mesh.halfedge(f);
+            for (auto half : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+                if (lengthOf(m_mesh.edge(half)) > lengthOf(m_mesh.edge(longest)))
+                    longest = half;
+            const FormEdge e = m_mesh.edge(longest);
+            const Vec3 a = fromCgal(m_mesh.point(m_mesh.source(longest)));
+            const Vec3 b = fromCgal(m_mesh.point(m_mesh.target(longest)));
+            const Vec3 c = fromCgal(m_mesh.point(m_mesh.target(m_mesh.next(longest))));
+            if ((b - a).cross(c - a).norm() > lowest * (b - a).squaredNorm() || m_mesh.is_border(e))
+                continue;
+            const auto other = m_mesh.opposite(longest);
+            const Vertex c1 = m_mesh.target(m_mesh.next(longest)), c2 = m_mesh.target(m_mesh.next(other));
+            if (m_mesh.halfedge(c1, c2) != CgalMesh::null_halfedge())
+                continue;
+            if (m_cut[e]) {
+                m_cut[e] = false;
+                m_cut[m_mesh.edge(m_mesh.next(longest))] = m_cut[m_mesh.edge(m_mesh.prev(longest))] = true;
+            }
+            CGAL::Euler::flip_edge(longest, m_mesh);
+            any = true;
+        }
+        return any;
+    }
+
     /// What hangs over where a line has met another one.
     void pruneSpurs()
     {
@@ -267,14 +377,16 @@ private:
         std::string where("(");
         where.append(numberText(at.x(), 4)).append(", ").append(numberText(at.y(), 4)).append(", ");
         where.append(numberText(at.z(), 4)).append(")");
-        return {QT_TRANSLATE_NOOP("Message", "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
-                                             "line or border is %3 mm away; draw it on to there to divide the piece"),
+        return {QT_TRANSLATE_NOOP("Message",
+                                  "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
+                                  "line or border is %3 mm away; draw it on to there to divide the piece"),
                 {name, where, numberText(border, 2)}};
     }
 
     CgalMesh m_mesh;
     CgalMesh::Property_map<Face, int> m_part;
     CgalMesh::Property_map<FormEdge, bool> m_cut;
+    std::vector<Message> m_notes;
     bool m_whole = true;
 };
 

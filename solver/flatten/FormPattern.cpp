@@ -19,6 +19,8 @@ constexpr double sharpTurn = 35;       // degrees: an outline or a border that t
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
 constexpr double rowsWide = 1.5;       // times as wide as high is what lies in rows
+constexpr double openCut = 0.6;        // mm between the sides of a cut
+constexpr double openWithin = 20;      // mm from its end on
 constexpr double sameSize = 0.02;      // share by which twins differ
 
 template <class Point>
@@ -119,6 +121,39 @@ private:
     }
     const Vec2& flatPoint(std::size_t p, std::size_t k) const { return m_flat[p].at[piece(p).border[k]]; }
 
+    /// A cut that ends inside a piece which needs none opens nowhere, and an outline must not touch itself: its
+    /// sides are drawn apart a little, less towards its end.
+    void openCuts(std::size_t p)
+    {
+        const FormPiece& there = piece(p);
+        const std::size_t count = there.border.size();
+        for (std::size_t tip = 0; tip < count; ++tip) {
+            const EdgeMate& mate = there.mates[tip];
+            if (mate.none() || mate.piece != static_cast<int>(p) ||
+                mate.edge != static_cast<int>(there.before(tip)))
+                continue; // not the end of a cut: what comes before it is sewn to what comes after it
+            double along = 0;
+            for (std::size_t k = 1; k < count / 2; ++k) {
+                const std::size_t left = (tip + count - k) % count, right = (tip + k) % count;
+                const EdgeMate& sewn = there.mates[left];
+                if (sewn.piece != static_cast<int>(p) || sewn.edge != static_cast<int>(there.before(right)))
+                    break;
+                Vec2& a = m_flat[p].at[there.border[left]];
+                Vec2& b = m_flat[p].at[there.border[right]];
+                const Vec2 way = flatPoint(p, there.before(left)) - flatPoint(p, there.after(left));
+                along += (flatPoint(p, there.after(left)) - a).norm();
+                const double wanted = openCut * std::min(1.0, along / openWithin);
+                if ((b - a).norm() >= wanted || !(way.norm() > 0))
+                    continue;
+                // Inside is on the left of the border, which runs towards the tip here.
+                const Vec2 inside = Vec2(way.y(), -way.x()).normalized();
+                const Vec2 middle = (a + b) / 2;
+                a = middle + wanted / 2 * inside;
+                b = middle - wanted / 2 * inside;
+            }
+        }
+    }
+
     bool beginsRow(std::size_t p, std::size_t k) const
     {
         return std::ranges::find(piece(p).rows, k, &BorderRow::first) != piece(p).rows.end();
@@ -136,6 +171,7 @@ private:
     void addPatch(std::size_t p)
     {
         m_result.patches.push_back(noElement);
+        openCuts(p);
         const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
         std::vector<BSpline2> curves;
         std::vector<std::size_t> rows; // which curve each row begins with
@@ -340,7 +376,7 @@ private:
     static bool checkedWell(const Design& design) { return !hasErrors(checkDesign(design)); }
 
     const Form& m_form;
-    const std::vector<FlatPiece>& m_flat;
+    std::vector<FlatPiece> m_flat;
     const FormPatternOrder& m_order;
     edits::EditBuilder m_builder;
     FormPattern m_result;

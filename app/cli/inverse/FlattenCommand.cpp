@@ -28,6 +28,8 @@ Options:
   --out FILE.json       the design; never replaced when it is there already
   --by groups           cuts where groups of the mesh meet (the usual way)
   --by angle:DEG        cuts where the mesh bends by more than DEG degrees
+  --by faces            cuts at the edges of CAD faces: where it bends by more than
+                        the triangles of one face do (21 degrees)
   --along DESIGN        and along the fixation curves of this design
   --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
   --edge MM             edges of the design's triangles (12)
@@ -43,9 +45,13 @@ Exit code:
 
 namespace {
 
-constexpr std::array flattenRules = {
-    OptionRule{"--out", true},  OptionRule{"--by", true}, OptionRule{"--fabric", true}, OptionRule{"--edge", true},
-    OptionRule{"--unit", true}, OptionRule{"--up", true}, OptionRule{"--report", true}, OptionRule{"--along", true}};
+constexpr double bendOfFaces =
+    21; // degrees: CAD files are read with triangles that bend by 20 at most within a face
+
+constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
+                                     OptionRule{"--fabric", true}, OptionRule{"--edge", true},
+                                     OptionRule{"--unit", true},   OptionRule{"--up", true},
+                                     OptionRule{"--report", true}, OptionRule{"--along", true}};
 
 double numberIn(const std::string& text, const std::string& what, double least, double most)
 {
@@ -62,9 +68,11 @@ FormCuts cutsOf(const Arguments& arguments)
     const std::string word = arguments.path("--by").toStdString();
     if (word.empty() || word == "groups")
         return {};
+    if (word == "faces")
+        return {false, bendOfFaces};
     if (word.starts_with("angle:"))
         return {false, numberIn(word.substr(6), "the angle of --by", 1, 179)};
-    throw UsageError("--by is groups or angle:DEG, not \"" + word + "\"");
+    throw UsageError("--by is groups, faces or angle:DEG, not \"" + word + "\"");
 }
 
 Fabric fabricOf(const Arguments& arguments)

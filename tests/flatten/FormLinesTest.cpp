@@ -1,0 +1,185 @@
+// Forms that are cut along lines drawn on them.
+#include "DesignCheck.h"
+#include "Flatten.h"
+#include "FormPattern.h"
+#include "TestForms.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+constexpr double radius = 100, height = 200; // mm, of half a pipe
+
+/// From bottom to top of half a pipe, at an angle from its left edge; `missing` mm short of each border.
+FormLine upright(double angle, double missing = 0)
+{
+    FormLine line{"Upright", {}, false};
+    for (int k = 0; k <= 20; ++k)
+        line.points.emplace_back(-radius * std::cos(angle), -radius * std::sin(angle),
+                                 missing + (height - 2 * missing) * k / 20);
+    return line;
+}
+
+Form cutAlongLines(const TriangleMesh& mesh, std::vector<FormLine> lines)
+{
+    FormCuts cuts;
+    cuts.lines = std::move(lines);
+    return cutForm(mesh, cuts);
+}
+
+void expectSound(const Form& form)
+{
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    EXPECT_TRUE(made.notes.empty());
+    for (const Problem& problem : checkDesign(made.design))
+        EXPECT_NE(problem.severity, Severity::Error) << problem.english();
+    for (const FormSeam& seam : made.seams)
+        EXPECT_NEAR(seam.first, seam.second, 0.2);
+}
+
+TEST(FormLines, DivideAPipe)
+{
+    const Form form = cutAlongLines(halfPipe(radius, height), {upright(std::numbers::pi / 3)});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 2U);
+    std::vector<double> areas;
+    for (const FlatPiece& flat : flatten(form, {}))
+        areas.push_back(flat.area);
+    std::ranges::sort(areas);
+    const double whole = std::numbers::pi * radius * height;
+    EXPECT_NEAR(areas[0], whole / 3, 0.01 * whole);
+    EXPECT_NEAR(areas[1], whole * 2 / 3, 0.01 * whole);
+    expectSound(form);
+}
+
+TEST(FormLines, GoOnToABorderThatIsNear)
+{
+    const Form form = cutAlongLines(halfPipe(radius, height), {upright(1.2, 6)});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 2U);
+    EXPECT_TRUE(form.notes.empty());
+    expectSound(form);
+}
+
+TEST(FormLines, ThatEndInsideAreCutInAndSayWhere)
+{
+    FormLine line = upright(1.5);
+    std::erase_if(line.points, [](const Vec3& at) { return at.z() > height / 2; });
+    const Form form = cutAlongLines(halfPipe(radius, height), {line});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 1U);
+    ASSERT_EQ(form.notes.size(), 1U);
+    EXPECT_NE(form.notes.front().english().find("Upright ends inside a piece"), std::string::npos);
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    EXPECT_EQ(made.seams.size(), 1U) << "as a dart is sewn";
+    expectSound(form);
+}
+
+TEST(FormLines, MayCross)
+{
+    FormLine across{"Across", {}, false};
+    for (int k = 0; k <= 60; ++k) {
+        const double angle = std::numbers::pi * k / 60;
+        across.points.emplace_back(-radius * std::cos(angle), -radius * std::sin(angle), 0.4 * height);
+    }
+    const Form form = cutAlongLines(halfPipe(radius, height), {upright(1), upright(2), across});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 6U);
+    EXPECT_TRUE(form.notes.empty());
+    expectSound(form);
+}
+
+TEST(FormLines, MayBeClosed)
+{
+    const TriangleMesh bowl = gridMesh(60, 60, [](double u, double v) {
+        const double x = 400 * (u - 0.5), y = 400 * (v - 0.5);
+        return Vec3(x, y, 60 - (x * x + y * y) / 1000);
+    });
+    FormLine circle{"Circle", {}, true};
+    for (int k = 0; k < 48; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 48;
+        circle.points.emplace_back(90 * std::cos(angle), 90 * std::sin(angle), 60 - 8.1);
+    }
+    const Form form = cutAlongLines(bowl, {circle});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 2U);
+    ASSERT_EQ(form.notes.size(), 1U) << "the ring around it is cut open";
+    expectSound(form);
+}
+
+TEST(FormLines, KeepThePartsOfTheForm)
+{
+    const TriangleMesh both =
+        sideBySide(gridMesh(
+                       10, 10, [](double u, double v) { return Vec3(200 * u, 200 * v, 0); }, "Left"),
+                   gridMesh(
+                       10, 10, [](double u, double v) { return Vec3(200 + 200 * u, 200 * v, 0); }, "Right"));
+    FormLine line{"Line", {{0, 77, 0}, {400, 77, 0}}, false};
+    const Form form = cutAlongLines(both, {line});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    std::vector<std::string> names;
+    for (const FormPiece& piece : form.pieces)
+        names.push_back(piece.name);
+    std::ranges::sort(names);
+    EXPECT_EQ(names, (std::vector<std::string>{"Left", "Left 2", "Right", "Right 2"}));
+}
+
+TEST(FormLines, NeedAFormThatIsASurface)
+{
+    TriangleMesh book = gridMesh(2, 2, [](double u, double v) { return Vec3(100 * u, 100 * v, 0); });
+    const TriangleMesh page = gridMesh(2, 2, [](double u, double v) { return Vec3(50, 100 * v, 100 * u); });
+    book = sideBySide(book, page);
+    const Form form = cutAlongLines(book, {{"Line", {{0, 30, 0}, {100, 30, 0}}, false}});
+    EXPECT_NE(form.problem.english().find("more than two faces"), std::string::npos);
+    EXPECT_TRUE(form.pieces.empty());
+}
+
+TEST(FormLines, FarFromTheFormChangeNothing)
+{
+    FormLine far = upright(1);
+    for (Vec3& at : far.points)
+        at += Vec3(5000, 0, 0);
+    const Form form = cutAlongLines(halfPipe(radius, height), {far});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 1U);
+    ASSERT_EQ(form.notes.size(), 1U);
+    EXPECT_NE(form.notes.front().english().find("away from the form"), std::string::npos);
+}
+
+TEST(FormTwins, AreWhereTheFormIsSymmetric)
+{
+    const TriangleMesh both = sideBySide(
+        gridMesh(
+            12, 8, [](double u, double v) { return Vec3(-200 + 200 * u, 150 * v, 30 * u * u); }, "Right"),
+        gridMesh(
+            12, 8, [](double u, double v) { return Vec3(200 * u, 150 * v, 30 * (1 - u) * (1 - u)); }, "Left"));
+    const Form form = cutForm(both, {});
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    int twins = 0;
+    made.design.each<Patch>([&](ElementId, const Patch& patch) { twins += patch.twin.has_value(); });
+    EXPECT_EQ(twins, 1);
+    FormPatternOrder alone;
+    alone.twins = false;
+    const FormPattern single = formPattern(form, flatten(form, {}), alone);
+    single.design.each<Patch>([&](ElementId, const Patch& patch) { EXPECT_FALSE(patch.twin); });
+}
+
+TEST(FormOfManyTriangles, IsMadeSimplerWithANote)
+{
+    const TriangleMesh large = gridMesh(400, 400, [](double u, double v) {
+        return Vec3(1000 * u, 1000 * v, 50 * std::sin(3 * u) * std::cos(2 * v));
+    });
+    ASSERT_GT(large.triangles.size(), mostFormTriangles);
+    const Form form = cutForm(large, {});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.notes.size(), 1U);
+    EXPECT_NE(form.notes.front().english().find("320000 triangles"), std::string::npos);
+    EXPECT_EQ(form.pieces.size(), 1U);
+}
+
+} // namespace
+} // namespace bolster::test
