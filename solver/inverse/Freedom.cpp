@@ -50,6 +50,26 @@ bool liesIn(const BSpline2& outline, double parameter, double from, double to)
     return at <= end + slack;
 }
 
+/// Corners that move along a curved edge take its points along, less and less towards its other end, so that the
+/// edge stays on its line.
+void slideAlong(const BSpline2& outline, std::vector<Vec2>& moves)
+{
+    const std::vector<double> corners = outline.corners();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        const double from = corners[c], period = outline.period();
+        const double length = c + 1 < corners.size() ? corners[c + 1] - from : corners[0] + period - from;
+        const int first = outline.pointAt(from), last = outline.pointAt(outline.wrapped(from + length));
+        const double slideFirst = moves[static_cast<std::size_t>(first)].dot(sideAt(outline, from, false).along);
+        const double slideLast =
+            moves[static_cast<std::size_t>(last)].dot(sideAt(outline, from + length, true).along);
+        for (int k = (first + 1) % outline.pointCount(); k != last; k = (k + 1) % outline.pointCount()) {
+            const double at = outline.parameterOfPoint(k), way = at < from ? at + period - from : at - from;
+            moves[static_cast<std::size_t>(k)] +=
+                (slideFirst + (slideLast - slideFirst) * way / length) * sideAt(outline, at, false).along;
+        }
+    }
+}
+
 /// Where control points go when the outline (or the edges on a part of it) lies 1 mm farther outside. Edges that
 /// stay are prolonged to the corners of those that go.
 std::vector<Vec2> outwardMoves(const BSpline2& outline, double from, double to)
@@ -72,6 +92,7 @@ std::vector<Vec2> outwardMoves(const BSpline2& outline, double from, double to)
             move = std::abs(reach) > edgeOn ? Vec2(staying.along / reach) : going.outward;
         }
     }
+    slideAlong(outline, moves);
     return moves;
 }
 
