@@ -51,21 +51,33 @@ bool liesIn(const BSpline2& outline, double parameter, double from, double to)
 }
 
 /// Corners that move along a curved edge take its points along, less and less towards its other end, so that the
-/// edge stays on its line.
+/// edge stays on its line: it moves by its derivative times what grows evenly. Exact where it is one Bezier piece.
 void slideAlong(const BSpline2& outline, std::vector<Vec2>& moves)
 {
-    const std::vector<double> corners = outline.corners();
+    const int count = outline.pointCount();
+    const auto later = [&](int from, int to) { // in the parameter, from one point to a later one
+        const double way = outline.parameterOfPoint(to) - outline.parameterOfPoint(from);
+        return way > 0 ? way : way + outline.period();
+    };
+    const auto leg = [&](int k) -> Vec2 { // a control point of the derivative
+        const int next = (k + 1) % count;
+        return (outline.points()[static_cast<std::size_t>(next)] - outline.points()[static_cast<std::size_t>(k)]) /
+               later(k, next);
+    };
+    std::vector<int> corners;
+    for (const double corner : outline.corners())
+        corners.push_back(outline.pointAt(corner));
     for (std::size_t c = 0; c < corners.size(); ++c) {
-        const double from = corners[c], period = outline.period();
-        const double length = c + 1 < corners.size() ? corners[c + 1] - from : corners[0] + period - from;
-        const int first = outline.pointAt(from), last = outline.pointAt(outline.wrapped(from + length));
-        const double slideFirst = moves[static_cast<std::size_t>(first)].dot(sideAt(outline, from, false).along);
-        const double slideLast =
-            moves[static_cast<std::size_t>(last)].dot(sideAt(outline, from + length, true).along);
-        for (int k = (first + 1) % outline.pointCount(); k != last; k = (k + 1) % outline.pointCount()) {
-            const double at = outline.parameterOfPoint(k), way = at < from ? at + period - from : at - from;
+        const int first = corners[c], last = corners[(c + 1) % corners.size()];
+        const Vec2 begin = leg(first), end = leg((last + count - 1) % count);
+        if (begin.isZero() || end.isZero())
+            continue;
+        const double slideFirst = moves[static_cast<std::size_t>(first)].dot(begin) / begin.squaredNorm();
+        const double slideLast = moves[static_cast<std::size_t>(last)].dot(end) / end.squaredNorm();
+        for (int k = (first + 1) % count; k != last; k = (k + 1) % count) {
+            const double share = later(first, k) / later(first, last);
             moves[static_cast<std::size_t>(k)] +=
-                (slideFirst + (slideLast - slideFirst) * way / length) * sideAt(outline, at, false).along;
+                slideFirst * (1 - share) * leg(k) + slideLast * share * leg((k + count - 1) % count);
         }
     }
 }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace bolster::test {
 namespace {
@@ -36,14 +35,20 @@ FitTarget coverOf(const Design& design, const Vec3& shift = Vec3::Zero())
 }
 
 struct Case {
-    const char* name;
+    Design right;
     double bend; ///< mm
 };
 
-class PatternFitOf : public testing::TestWithParam<Case> {
+Case caseOf(const std::string& name)
+{
+    return name == "Cushion" ? Case{coarseSample("box-cushion", edge), 6} : Case{box(300, 90, 15, 8, 0.5), 8};
+}
+
+class PatternFitOf : public testing::TestWithParam<const char*> {
 protected:
-    const Design right = coarseSample(GetParam().name, edge);
-    const Design wrong = bent(right, GetParam().bend);
+    const Case one = caseOf(GetParam());
+    const Design& right = one.right;
+    const Design wrong = bent(right, one.bend);
 
     FitOrder orderTo(const Design& goal) const
     {
@@ -65,9 +70,6 @@ TEST_P(PatternFitOf, BentOutlinesComeBackOntoTheirCover)
         share = done;
     });
     ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
-    std::cout << GetParam().name << " " << result.before.distanceRms << " " << result.after.distanceRms << " "
-              << result.after.sewnMost << " " << result.before.sewnMost << " " << result.rounds.size() << " "
-              << largestChange(order.freedoms, result.values) << " " << result.idle.size() << "\n";
     EXPECT_GT(result.before.distanceRms, 1);
     EXPECT_LT(result.after.distanceRms, 0.3);
     EXPECT_LT(result.after.sewnMost, 0.3) << "of the seams' sides";
@@ -101,7 +103,7 @@ TEST_P(PatternFitOf, TwiceIsTheSameOnAnyNumberOfThreads)
 TEST_P(PatternFitOf, TheGreatestChangeIsKept)
 {
     FitOrder order = orderTo(right);
-    order.mostChange = GetParam().bend / 3;
+    order.mostChange = one.bend / 3;
     const FitResult result = fitPattern(wrong, order);
     ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
     EXPECT_LE(largestChange(order.freedoms, result.values), order.mostChange * (1 + 1e-6));
@@ -134,12 +136,7 @@ TEST_P(PatternFitOf, StoppedIsAsItWas)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, PatternFitOf, testing::Values(Case{"box-cushion", 6}, Case{"pillow", 8}),
-                         [](const auto& one) {
-                             std::string name = one.param.name;
-                             std::erase(name, '-');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Boxes, PatternFitOf, testing::Values("Cushion", "Small"));
 
 TEST(PatternFit, AFormFarAwayIsAFailureWithAReason)
 {
@@ -191,7 +188,7 @@ TEST(PatternFit, WhatIsRightStays)
     order.goals.target = coverOf(design);
     order.freedoms = outlineFreedoms(design);
     const FitResult result = fitPattern(design, order);
-    EXPECT_LT(result.before.distanceRms, 0.1);
+    EXPECT_LT(result.before.distanceRms, 0.2) << "what lies between the points of a form whose edges are sharp";
     EXPECT_LT(largestChange(order.freedoms, result.values), 1);
     EXPECT_LE(result.after.distanceRms, result.before.distanceRms);
 }
@@ -209,23 +206,29 @@ TEST(PatternFit, OtherFreedomsAreFoundToo)
     ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
     EXPECT_LT(result.after.distanceRms, 0.1 * result.before.distanceRms);
     for (const Freedom& freedom : freedoms)
-        EXPECT_NEAR(result.design.find<Patch>(freedom.element)->pressure, 0.3, 0.01) << freedom.name;
+        EXPECT_NEAR(result.design.find<Patch>(freedom.element)->pressure, 0.3, 0.02) << freedom.name;
 }
 
+/// A sheet that is too short for the curves it is fixed to.
 TEST(PatternFit, StrainComesBelowItsLimit)
 {
-    const Design design = coarseSample("box-cushion", edge);
+    DesignBuilder b(edge);
+    const ElementId patch = b.patch(rectangle(300, 200), b.fabric(0.3, 5));
+    b.fix({patch, 0, 1}, polyline({{0, 0, 0}, {300, 0, 0}}));
+    b.fix({patch, 2, 3}, polyline({{300, 210, 0}, {0, 210, 0}}));
     FitOrder order;
     order.goals.strain = true;
     order.goals.limit = 2;
     order.goals.keepShape = 0.5;
-    order.freedoms = outlineFreedoms(design);
-    const FitResult result = fitPattern(design, order);
-    std::cout << "strain " << result.before.overLimit << " " << result.after.overLimit << " "
-              << result.after.shapeRms << "\n";
+    order.freedoms = outlineFreedoms(b.design());
+    const FitResult result = fitPattern(b.design(), order);
     ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
-    EXPECT_LT(result.after.overLimit, 0.7 * result.before.overLimit);
-    EXPECT_LT(result.after.sewnMost, 0.3);
+    EXPECT_GT(result.before.overLimit, 0.9);
+    EXPECT_LT(result.after.overLimit, 0.05);
+    EXPECT_LT(result.after.shapeRms, 1);
+    const double height = result.design.find<Patch>(patch)->outline.boundingBox().sizes().y();
+    EXPECT_GT(height, 210 / 1.025);
+    EXPECT_LT(height, 210) << "no more than need be";
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <numeric>
 #include <set>
 
@@ -100,13 +99,7 @@ TEST(Sweep, LinearFiguresAreNearSolvedOnes)
         return std::sqrt(std::inner_product(map.begin(), map.end(), map.begin(), 0.0) /
                          static_cast<double>(map.size()));
     };
-    std::cout << rms(reckoned) << " " << rms(found) << "\n";
     EXPECT_NEAR(rms(reckoned), rms(found), 0.1 * rms(found));
-    for (const SweepSample* sample : resting) {
-        const SweepSample linear = linearSample(sweep.linear(), tolerances, sample->number);
-        EXPECT_EQ(linear.number, sample->number);
-        break;
-    }
 }
 
 TEST(Sweep, InfluencesAreSharesAndFindWhatMatters)
