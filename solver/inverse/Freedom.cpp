@@ -2,6 +2,7 @@
 
 #include "EditBuilder.h"
 #include "FollowEdits.h"
+#include "MeetingCurves.h"
 #include "NumberField.h"
 
 #include <algorithm>
@@ -178,7 +179,8 @@ public:
             if (now)
                 set(place.first, withNumber(*element, place.second, *now + value));
         }
-        return m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+        moved = m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+        return m_shifts.empty() ? moved : withMeetingCurves(m_design, moved);
     }
 
 private:

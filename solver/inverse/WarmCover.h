@@ -32,7 +32,8 @@ public:
     /// Finds the cover of another design from where home is, on the same triangles: a function of home and this
     /// design alone, whatever was asked for in between. False when it has none, or needs other triangles.
     bool follow(const Design& design, const std::stop_token& stop = {});
-    /// Goes to another design for good: that is home now. On other triangles if need be. When it cannot, home stays.
+    /// Goes to another design for good: that is home now. On other triangles if need be. When it cannot, home
+    /// stays.
     bool moveHome(const Design& design, const std::stop_token& stop = {});
 
     const SheetState& home() const { return m_home; }

@@ -148,6 +148,43 @@ TEST(Freedom, TwinsFollow)
     EXPECT_NEAR(patchOf(fuller, right).pressure, patchOf(design, left).pressure + 0.1, 1e-12);
 }
 
+/// Two rails that meet end to end, a third one that ends on the first, and a ring.
+TEST(Freedom, CurvesThatMeetStillDo)
+{
+    DesignBuilder b(10);
+    const auto rail = [&](std::vector<Vec3> points, bool closed = false) {
+        return b.add(FixationCurve{"Rail", polyline(std::move(points), closed)});
+    };
+    const ElementId first = rail({{0, 0, 0}, {100, 0, 0}, {200, 0, 0}}),
+                    second = rail({{200, 0, 0}, {200, 300, 0}});
+    const ElementId third = rail({{50, 0, 0}, {50, 80, 0}}), ring = rail({{0, 0, 9}, {9, 0, 9}, {0, 9, 9}}, true);
+    const auto points = [](const Design& design, ElementId id) {
+        return design.find<FixationCurve>(id)->curve.points();
+    };
+    const Design lifted =
+        changedBy(b.design(), {.kind = Freedom::Kind::CurvePlace, .element = first, .axis = 2}, 4);
+    EXPECT_EQ(points(lifted, first), (std::vector<Vec3>{{0, 0, 4}, {100, 0, 4}, {200, 0, 2}}));
+    EXPECT_EQ(points(lifted, second), (std::vector<Vec3>{{200, 0, 2}, {200, 300, 0}}));
+    EXPECT_EQ(points(lifted, third), (std::vector<Vec3>{{50, 0, 4}, {50, 80, 0}})) << "it ends on the first";
+    EXPECT_EQ(points(lifted, ring), points(b.design(), ring));
+    const std::array both{Freedom{.kind = Freedom::Kind::CurvePlace, .element = first, .axis = 2},
+                          Freedom{.kind = Freedom::Kind::CurvePlace, .element = second, .axis = 2}};
+    const Design together = withFreedoms(b.design(), both, Eigen::Vector2d(4, 4));
+    EXPECT_EQ(points(together, second), (std::vector<Vec3>{{200, 0, 4}, {200, 300, 4}}));
+    const Design other = changedBy(b.design(), {.kind = Freedom::Kind::CurvePlace, .element = third, .axis = 2}, 4);
+    EXPECT_EQ(points(other, third), (std::vector<Vec3>{{50, 0, 0}, {50, 80, 4}})) << "the first one stays";
+}
+
+/// Whose fixation curves meet end to end.
+TEST(Freedom, FixationsOfTheCarSeatMayMove)
+{
+    const Design design = sample("car-seat");
+    const std::vector<Freedom> freedoms = fixationFreedoms(design);
+    EXPECT_EQ(freedoms.size(), 36u);
+    for (const Freedom& freedom : freedoms)
+        EXPECT_FALSE(hasErrors(checkSolvable(changedBy(design, freedom, 1)))) << freedom.name;
+}
+
 /// Those of twins would be there twice.
 TEST(Freedom, TwinsThatFollowAreNotFree)
 {
