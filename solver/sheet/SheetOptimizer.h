@@ -105,8 +105,8 @@ private:
 
     SheetRings m_rings;
     SheetResults m_results;
-    std::vector<Vec2> m_factored;        // the rest shape that is in the matrices
-    double m_distortion = 1;             // of the present one against it
+    std::vector<Vec2> m_factored; // the rest shape that is in the matrices
+    double m_distortion = 1;      // of the present one against it
     int m_factorings = 0;
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i

@@ -142,6 +142,26 @@ TEST_F(SweepCommand, RefusesTheFolderOfAnotherDesign)
     EXPECT_EQ(read("out/report.json"), before);
 }
 
+/// What foam is made of lies in another file.
+TEST_F(SweepCommand, RefusesTheFolderOfAnotherFrame)
+{
+    const QString folder = QString::fromStdString(test::samplesFolder()) + "/trapezoid-cushion/";
+    QFile design(folder + "trapezoid-cushion.json"), cube(folder + "cube.obj");
+    ASSERT_TRUE(design.open(QIODevice::ReadOnly) && cube.open(QIODevice::ReadOnly));
+    Json coarse = Json::parse(design.readAll().toStdString());
+    coarse["settings"]["edge_length"] = 25;
+    write("seat.json", coarse.dump());
+    write("spec.json", R"({"tolerances": {"foam_mm": 10}})");
+    const QByteArray frame = cube.readAll();
+    write("cube.obj", frame.toStdString());
+    ASSERT_EQ(sweep("out", {}, "seat.json").exitCode, 0);
+    EXPECT_EQ(sweep("out", {}, "seat.json").exitCode, 0);
+    write("cube.obj", frame.toStdString() + "v 0 0 1\nf 1 2 -1\n");
+    const ProgramRun run = sweep("out", {}, "seat.json");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.err.find("choose another folder"), std::string::npos) << run.err;
+}
+
 TEST_F(SweepCommand, SaysWhatIsWrongWithASpec)
 {
     expectRefused("{\"tolerances\": {\"cut_mm\": 1}", "bad.json");
