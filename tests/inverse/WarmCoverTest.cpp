@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, WarmCoverOf, testing::Values("box-cushion", "c
     return name;
 });
 
-/// Another strength of foam is in the matrices, too.
+/// A cushion that acts is in the matrices, one that is switched off is not.
 TEST(WarmCover, FoamAndOutlinesLeaveNoTrace)
 {
     const OpenedDesign opened =
@@ -146,12 +146,13 @@ TEST(WarmCover, FoamAndOutlinesLeaveNoTrace)
         return changedBy(from, {.kind = Freedom::Kind::Number, .element = cushion, .field = field}, value);
     };
     const Design wider = changedBy(design, {.kind = Freedom::Kind::Offset, .element = patch}, 1);
-    const std::array variants{design,
-                              wider,
-                              by(design, "strength", 0.3),
-                              by(design, "dilation_mm", 5),
-                              by(wider, "strength", 0.3),
-                              by(wider, "dilation_mm", -5)};
+    const auto off = [&](const Design& from) {
+        Cushion still = *from.find<Cushion>(cushion);
+        still.enabled = false;
+        return from.with({{}, {{cushion, from.element(cushion), makeElement(std::move(still))}}});
+    };
+    const std::array variants{design,      wider,     by(design, "strength", 0.3), by(wider, "dilation_mm", -5),
+                              off(design), off(wider)};
     WarmOrder order;
     order.edgeLength = 15;
     const SolveInput input{design, opened.files};
