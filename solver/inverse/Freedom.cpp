@@ -2,6 +2,7 @@
 
 #include "EditBuilder.h"
 #include "FollowEdits.h"
+#include "MeetingCurves.h"
 #include "NumberField.h"
 
 #include <algorithm>
@@ -50,6 +51,38 @@ bool liesIn(const BSpline2& outline, double parameter, double from, double to)
     return at <= end + slack;
 }
 
+/// Corners that move along a curved edge take its points along, less and less towards its other end, so that the
+/// edge stays on its line: it moves by its derivative times what grows evenly. Exact where it is one Bezier piece.
+void slideAlong(const BSpline2& outline, std::vector<Vec2>& moves)
+{
+    const int count = outline.pointCount();
+    const auto later = [&](int from, int to) { // in the parameter, from one point to a later one
+        const double way = outline.parameterOfPoint(to) - outline.parameterOfPoint(from);
+        return way > 0 ? way : way + outline.period();
+    };
+    const auto leg = [&](int k) -> Vec2 { // a control point of the derivative
+        const int next = (k + 1) % count;
+        return (outline.points()[static_cast<std::size_t>(next)] - outline.points()[static_cast<std::size_t>(k)]) /
+               later(k, next);
+    };
+    std::vector<int> corners;
+    for (const double corner : outline.corners())
+        corners.push_back(outline.pointAt(corner));
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        const int first = corners[c], last = corners[(c + 1) % corners.size()];
+        const Vec2 begin = leg(first), end = leg((last + count - 1) % count);
+        if (begin.isZero() || end.isZero())
+            continue;
+        const double slideFirst = moves[static_cast<std::size_t>(first)].dot(begin) / begin.squaredNorm();
+        const double slideLast = moves[static_cast<std::size_t>(last)].dot(end) / end.squaredNorm();
+        for (int k = (first + 1) % count; k != last; k = (k + 1) % count) {
+            const double share = later(first, k) / later(first, last);
+            moves[static_cast<std::size_t>(k)] +=
+                slideFirst * (1 - share) * leg(k) + slideLast * share * leg((k + count - 1) % count);
+        }
+    }
+}
+
 /// Where control points go when the outline (or the edges on a part of it) lies 1 mm farther outside. Edges that
 /// stay are prolonged to the corners of those that go.
 std::vector<Vec2> outwardMoves(const BSpline2& outline, double from, double to)
@@ -72,6 +105,7 @@ std::vector<Vec2> outwardMoves(const BSpline2& outline, double from, double to)
             move = std::abs(reach) > edgeOn ? Vec2(staying.along / reach) : going.outward;
         }
     }
+    slideAlong(outline, moves);
     return moves;
 }
 
@@ -145,7 +179,8 @@ public:
             if (now)
                 set(place.first, withNumber(*element, place.second, *now + value));
         }
-        return m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+        moved = m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+        return m_shifts.empty() ? moved : withMeetingCurves(m_design, moved);
     }
 
 private:

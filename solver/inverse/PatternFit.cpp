@@ -100,6 +100,10 @@ public:
             m_result.status = m_result.values.isZero() ? FitResult::Status::NothingToDo : FitResult::Status::Done;
         if (m_stop.stop_requested())
             m_result.status = FitResult::Status::Cancelled;
+        if (m_result.status == FitResult::Status::Cancelled || m_result.status == FitResult::Status::Failed) {
+            m_result.design = m_input.design;
+            m_result.values.setZero();
+        }
         return std::move(m_result);
     }
 
@@ -246,8 +250,15 @@ private:
         FitRound round{edge, m_rows.figures(cover, m_result.design),
                        largestChange(m_order.freedoms, m_result.values)};
         m_result.rounds.push_back(round);
+        tell(share);
+    }
+
+    /// How much of a stage is done. Progress never goes back, though a verification may lead to more rounds.
+    void tell(double share)
+    {
+        m_told = std::max(m_told, (m_stage + share) / m_stages);
         if (m_progress)
-            m_progress((m_stage + share) / m_stages, round);
+            m_progress(m_told, m_result.rounds.back());
     }
 
     enum class Outcome { Better, Settled };
@@ -260,12 +271,9 @@ private:
             return m_rows.rows(cover, design);
         };
         Eigen::VectorXd now = measure(team.first(), m_result.design);
-        const auto tell = [&](double share) {
-            if (m_progress)
-                m_progress((m_stage + (round + share) / m_order.mostRounds) / m_stages, m_result.rounds.back());
-        };
-        const Derivatives derivatives =
-            differentiate(team, m_result.design, m_order.freedoms, measure, false, tell, m_stop);
+        const Derivatives derivatives = differentiate(
+            team, m_result.design, m_order.freedoms, measure, false,
+            [&](double share) { tell((round + share) / m_order.mostRounds); }, m_stop);
         if (m_stop.stop_requested())
             return Outcome::Settled;
         if (derivatives.columns.size() == 0) {
@@ -398,6 +406,7 @@ private:
     FitResult m_result;
     double m_reached = 0; // cost of the last round
     int m_stage = 0, m_stages = 1;
+    double m_told = 0; // share of the work
 };
 
 } // namespace

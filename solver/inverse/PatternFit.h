@@ -33,7 +33,7 @@ struct FitResult {
 
     Status status = Status::Failed;
     Message reason; ///< when failed
-    Design design;
+    Design design;  ///< as it was, when failed or cancelled
     FitFigures before, after;
     std::vector<FitRound> rounds;
     Eigen::VectorXd values;        ///< of the freedoms

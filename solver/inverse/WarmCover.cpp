@@ -7,6 +7,7 @@
 #include "SurfacePublisher.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bolster {
 
@@ -33,7 +34,7 @@ WarmCover::WarmCover(const SolveInput& input, const WarmOrder& order, const std:
     startFromDesign(*m_relaxation, asDesigned ? coarseStart(*m_sheet, m_ghostCache, *m_pool, stop) : std::nullopt);
     if (comeToRest(stop)) {
         makeHome();
-        m_factorsAreHome = true;
+        m_homeFactors = m_relaxation->factorings();
     }
 }
 
@@ -66,7 +67,6 @@ bool WarmCover::prepare(const SolveInput& input, const std::stop_token& stop)
     m_sheet = std::make_unique<PreparedSheet>(std::move(*sheet));
     m_relaxation = std::make_unique<Relaxation>(m_sheet->mesh, *m_pool, m_order.tolerance, ghosts(stop), stop);
     m_now = input;
-    m_factorsAreHome = true;
     return !stop.stop_requested();
 }
 
@@ -95,12 +95,11 @@ bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
     }
     const bool refactors = both || plan == SolvePlan::Refactor;
     if (both || plan == SolvePlan::Warp)
-        m_factorsAreHome = !m_relaxation->reshape(ghosts(stop)) && m_factorsAreHome;
+        m_relaxation->reshape(ghosts(stop));
     if (refactors)
         m_relaxation->refactor(ghosts(stop));
     else if (plan != SolvePlan::Warp && plan != SolvePlan::Nothing)
         m_relaxation->retarget(ghosts(stop));
-    m_factorsAreHome = m_factorsAreHome && !refactors;
     return true;
 }
 
@@ -109,11 +108,11 @@ bool WarmCover::follow(const Design& design, const std::stop_token& stop)
     m_problem = {};
     if (!m_relaxation)
         return false;
-    if (!m_factorsAreHome) {
+    if (!factorsAreHome()) {
         if (!adapt(m_homeInput, stop))
             return false;
         m_relaxation->refactor(ghosts(stop));
-        m_factorsAreHome = true;
+        m_homeFactors = m_relaxation->factorings();
     }
     if (!adapt(asWanted(design), stop))
         return false;
@@ -129,15 +128,24 @@ bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
     }
     if (!m_relaxation || stop.stop_requested())
         return false;
-    const SewnMesh before = m_sheet->mesh;
-    if (!prepare(asWanted(design), stop))
-        return false;
+    // The relaxation works on the sheet's mesh, which stays where it is in memory.
+    std::unique_ptr<PreparedSheet> sheet = std::move(m_sheet);
+    std::unique_ptr<Relaxation> relaxation = std::move(m_relaxation);
+    std::optional<PatternWarp> warp = std::exchange(m_warp, std::nullopt);
+    SolveInput now = m_now;
     m_problem = {};
-    m_relaxation->startNear(transferState(before, m_home, m_sheet->mesh));
-    if (!comeToRest(stop))
-        return false;
-    makeHome();
-    return true;
+    if (prepare(asWanted(design), stop)) {
+        m_relaxation->startNear(transferState(sheet->mesh, m_home, m_sheet->mesh));
+        if (comeToRest(stop)) {
+            makeHome();
+            return true;
+        }
+    }
+    m_relaxation = std::move(relaxation);
+    m_sheet = std::move(sheet);
+    m_warp = std::move(warp);
+    m_now = std::move(now);
+    return false;
 }
 
 bool WarmCover::comeToRest(const std::stop_token& stop)
@@ -158,7 +166,7 @@ void WarmCover::makeHome()
 {
     m_home = m_relaxation->state();
     m_homeInput = m_now;
-    m_factorsAreHome = false; // they are near, but of another design
+    m_homeFactors = 0; // the present ones are near, but of another design
 }
 
 SurfaceMeshPtr WarmCover::surface() const

@@ -32,7 +32,8 @@ public:
     /// Finds the cover of another design from where home is, on the same triangles: a function of home and this
     /// design alone, whatever was asked for in between. False when it has none, or needs other triangles.
     bool follow(const Design& design, const std::stop_token& stop = {});
-    /// Goes to another design for good: that is home now. On other triangles if need be.
+    /// Goes to another design for good: that is home now. On other triangles if need be. When it cannot, home
+    /// stays.
     bool moveHome(const Design& design, const std::stop_token& stop = {});
 
     const SheetState& home() const { return m_home; }
@@ -49,6 +50,7 @@ private:
     Ghosts ghosts(const std::stop_token& stop);
     bool adapt(const SolveInput& input, const std::stop_token& stop);
     bool comeToRest(const std::stop_token& stop);
+    bool factorsAreHome() const { return m_relaxation->factorings() == m_homeFactors; }
     void makeHome();
 
     WarmOrder m_order;
@@ -61,7 +63,7 @@ private:
     SolveInput m_now;
     SolveInput m_homeInput;
     SheetState m_home;
-    bool m_factorsAreHome = true; // else they are of a design that was too different
+    int m_homeFactors = 0; // as in Relaxation::factorings; others are of a design that was too different
     Message m_problem;
 };
 

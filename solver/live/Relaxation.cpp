@@ -75,12 +75,10 @@ void Relaxation::refactor(Ghosts ghosts)
     replaceGhosts(std::move(ghosts), true);
 }
 
-bool Relaxation::reshape(Ghosts ghosts)
+void Relaxation::reshape(Ghosts ghosts)
 {
     m_optimizer.reshape();
-    const bool factored = m_optimizer.matricesAreNew();
     replaceGhosts(std::move(ghosts), false);
-    return factored;
 }
 
 void Relaxation::replaceGhosts(Ghosts ghosts, bool refactor)

@@ -36,8 +36,10 @@ public:
     void retarget(Ghosts ghosts = {});
     /// The same when matrices change too.
     void refactor(Ghosts ghosts = {});
-    /// After reshape() of the mesh. Returns whether that was so much that the matrices are other ones now.
-    bool reshape(Ghosts ghosts = {});
+    /// After reshape() of the mesh.
+    void reshape(Ghosts ghosts = {});
+    /// As in SheetOptimizer: any of these may have to factor the matrices.
+    int factorings() const { return m_optimizer.factorings(); }
 
     /// One iteration; does nothing unless running.
     void iterate();

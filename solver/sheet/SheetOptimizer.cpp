@@ -58,6 +58,7 @@ bool SheetOptimizer::refactor()
 
 bool SheetOptimizer::factor()
 {
+    ++m_factorings;
     m_factored = m_mesh.rest();
     m_distortion = 1;
     return m_positions->factor(positionMatrix(m_mesh, ghostWeights()), m_pool) &&

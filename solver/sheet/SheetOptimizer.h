@@ -31,8 +31,8 @@ public:
     /// Takes a changed rest shape into the forces, and into the matrices when it has become too different from
     /// theirs: up to then their solutions are good steps. Returns ok().
     bool reshape();
-    /// Whether the matrices are of the present rest shape, and not of one that is near to it.
-    bool matricesAreNew() const { return m_distortion == 1; }
+    /// How often the matrices have been factored: when that has not changed, they are the same.
+    int factorings() const { return m_factorings; }
 
     /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
     bool replaceGhosts(Ghosts ghosts);
@@ -105,8 +105,9 @@ private:
 
     SheetRings m_rings;
     SheetResults m_results;
-    std::vector<Vec2> m_factored;        // the rest shape that is in the matrices
-    double m_distortion = 1;             // of the present one against it
+    std::vector<Vec2> m_factored; // the rest shape that is in the matrices
+    double m_distortion = 1;      // of the present one against it
+    int m_factorings = 0;
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i
     std::vector<int> m_moveSlots;        // as in SheetResults

@@ -14,8 +14,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace bolster::cli {
 
@@ -62,10 +62,9 @@ constexpr std::array fitRules = {
 std::vector<std::string> wordsOf(const QString& text, const std::string& option)
 {
     std::vector<std::string> words;
-    std::istringstream parts(text.toStdString());
-    for (std::string word; std::getline(parts, word, ',');)
-        words.push_back(word);
-    if (words.empty() || std::ranges::find(words, "") != words.end())
+    for (const QString& word : text.split(','))
+        words.push_back(word.toStdString());
+    if (std::ranges::find(words, "") != words.end())
         throw UsageError(option + " takes words with commas between them");
     return words;
 }

@@ -264,6 +264,19 @@ private:
     std::vector<float> m_linearP95;
 };
 
+/// Foam and frames that the samples depend on, so that others are told from them.
+std::string meshesAsText(const DesignFiles& files)
+{
+    std::string text;
+    for (const auto& [id, mesh] : files.meshes) {
+        for (const Vec3& point : mesh->points)
+            text.append(reinterpret_cast<const char*>(point.data()), 3 * sizeof(double));
+        for (const auto& triangle : mesh->triangles)
+            text.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle);
+    }
+    return text;
+}
+
 /// What every job does.
 SlurmOrder slurmOrder(const Arguments& arguments, const QString& design)
 {
@@ -299,8 +312,8 @@ int sweep(std::span<const std::string> words)
     }
     const SweepSpec spec = readSweepSpec(arguments.path("--spec"), opened.design);
     SweepFolder folder(arguments.path("--out"),
-                       writeDesign(opened.design) + readWholeFile(arguments.path("--spec"), 1 << 20).bytes +
-                           std::to_string(samples),
+                       writeDesign(opened.design) + meshesAsText(opened.files) +
+                           readWholeFile(arguments.path("--spec"), 1 << 20).bytes + std::to_string(samples),
                        samples);
     const auto fail = [](const std::string& problem) {
         printError("error: " + problem);

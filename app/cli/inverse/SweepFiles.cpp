@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace bolster::cli {
 
@@ -41,11 +42,16 @@ void addField(const Json& entry, const std::string& where, const Design& design,
     if (!entry.is_object() || !entry.contains("element") || !entry["element"].is_number_unsigned() ||
         !entry.contains("field") || !entry["field"].is_string() || !entry.contains("by"))
         refuse(where, "an object with \"element\", \"field\" and \"by\" is expected");
-    const auto id = static_cast<ElementId>(entry["element"].get<std::uint32_t>());
+    for (const auto& [key, value] : entry.items())
+        if (key != "element" && key != "field" && key != "by")
+            refuse(where + "." + key, "unknown; element, field and by are known");
+    const auto wanted = entry["element"].get<std::uint64_t>();
+    constexpr auto mostId = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+    const auto id = wanted <= mostId ? static_cast<ElementId>(wanted) : noElement;
     const std::string field = entry["field"];
     const ElementPtr element = design.element(id);
     if (!element)
-        refuse(where, "the design has no element " + std::to_string(number(id)));
+        refuse(where, "the design has no element " + std::to_string(wanted));
     if (!numberAt(*element, field))
         refuse(where, "element " + std::to_string(number(id)) + " has no number \"" + field + "\"");
     Freedom freedom{.kind = Freedom::Kind::Number, .element = id, .field = field};

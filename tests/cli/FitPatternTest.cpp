@@ -1,0 +1,110 @@
+// `bolster fit-pattern`, as a script calls it.
+#include "../model/TestFiles.h"
+#include "ProgramRun.h"
+#include "TestPaths.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace bolster {
+namespace {
+
+using Json = nlohmann::json;
+
+class FitPattern : public TestFiles {
+protected:
+    void SetUp() override
+    {
+        QFile file(QString::fromStdString(test::samplesFolder() + "/box-cushion/box-cushion.json"));
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        right = Json::parse(file.readAll().toStdString());
+        right["settings"]["edge_length"] = 40;
+        wrong = right;
+        wrong["elements"][1]["outline"]["points"] = Json::parse("[[-4, 3], [506, 2], [497, 505], [3, 496]]");
+        write("right.json", right.dump());
+        write("wrong.json", wrong.dump());
+    }
+
+    ProgramRun fit(const QStringList& more) const
+    {
+        return callCommandLine(QStringList{"fit-pattern", path("wrong.json")} + more);
+    }
+
+    void expectRefused(const QStringList& more, const std::string& words, int code = 2) const
+    {
+        const ProgramRun run = fit(more + QStringList{"--out", path("refused.json")});
+        EXPECT_EQ(run.exitCode, code) << more.join(' ').toStdString();
+        EXPECT_NE(run.err.find(words), std::string::npos) << more.join(' ').toStdString() << "\n" << run.err;
+        EXPECT_FALSE(QFile::exists(path("refused.json")));
+    }
+
+    Json right, wrong;
+};
+
+TEST_F(FitPattern, ComesNearerToAForm)
+{
+    ASSERT_EQ(callCommandLine({"solve", path("right.json"), "--obj", path("form.obj")}).exitCode, 0);
+    const ProgramRun run = fit({"--to", path("form.obj"), "--out", path("fitted.json"), "--report",
+                                path("report.json"), "--threads", "2"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json report = Json::parse(read("report.json"));
+    const double before = report["before"]["distance_mm"]["rms"], after = report["after"]["distance_mm"]["rms"];
+    EXPECT_LT(after, 0.5 * before);
+    EXPECT_GT(report["changes"].size(), 0u);
+    EXPECT_NE(run.out.find("mm rms from the form"), std::string::npos) << run.out;
+    const Json fitted = Json::parse(read("fitted.json"));
+    EXPECT_EQ(fitted["elements"].size(), wrong["elements"].size());
+    EXPECT_EQ(callCommandLine({"check", path("fitted.json")}).exitCode, 0);
+    // What is there is never replaced.
+    const std::string kept = read("fitted.json");
+    const ProgramRun again = fit({"--to", path("form.obj"), "--out", path("fitted.json")});
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.err.find("is there already"), std::string::npos) << again.err;
+    EXPECT_EQ(read("fitted.json"), kept);
+}
+
+TEST_F(FitPattern, RefusesWordsThatItDoesNotKnow)
+{
+    expectRefused({"--to", "strain", "--freedom", "outline"}, "not \"outline\"");
+    expectRefused({"--to", "strain", "--freedom", "outlines,"}, "--freedom");
+    expectRefused({"--to", "strain", "--freedom", ""}, "--freedom");
+    expectRefused({"--to", "strain", "--lock", "length"}, "not \"length\"");
+    expectRefused({"--to", "strain", "--lock", "patch:Bottom"}, "no patch \"Bottom\"");
+    expectRefused({"--to", "strain", "--patch", "Bottom"}, "no patch \"Bottom\"");
+    expectRefused({"--to", "strian"}, "strian");
+    expectRefused({"--to", path("missing.obj")}, "missing.obj");
+    expectRefused({"--to", "scan"}, "no scan");
+    expectRefused({}, "--to");
+    expectRefused({"--to", "strain", "--freedom", "foam"}, "nothing of what --freedom names");
+    expectRefused({"--to", "strain", "--max-change", "-1"}, "--max-change");
+    expectRefused({"--to", "strain", "--limit", "0"}, "--limit");
+    EXPECT_EQ(fit({"--to", "strain"}).exitCode, 2) << "where to?";
+    EXPECT_EQ(
+        callCommandLine({"fit-pattern", path("missing.json"), "--to", "strain", "--out", path("x.json")}).exitCode,
+        2);
+}
+
+TEST_F(FitPattern, SaysWhenTheFormIsElsewhere)
+{
+    write("far.obj", "v 0 0 5000\nv 500 0 5000\nv 0 500 5000\nf 1 2 3\n");
+    expectRefused({"--to", path("far.obj")}, "near the form", 1);
+    expectRefused({"--to", path("far.obj"), "--to", path("far.obj")}, "one form alone");
+}
+
+TEST_F(FitPattern, HoldsPatchesThatAreLocked)
+{
+    ASSERT_EQ(callCommandLine({"solve", path("right.json"), "--obj", path("form.obj")}).exitCode, 0);
+    const ProgramRun run = fit({"--to", path("form.obj"), "--out", path("fitted.json"), "--lock",
+                                "lengths,patch:Front,patch:Rear,patch:Left,patch:Right", "--max-change", "2"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json fitted = Json::parse(read("fitted.json"));
+    for (const Json& element : fitted["elements"])
+        for (const Json& before : wrong["elements"])
+            if (element["kind"] == "patch" && element["id"] == before["id"] && element["name"] != "Top") {
+                EXPECT_EQ(element["outline"]["points"], before["outline"]["points"]) << element["name"];
+            }
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,368 @@
+// What fits, derivatives and sweeps reach on real covers, as Markdown tables.
+#include "CoverMove.h"
+#include "CoverTeam.h"
+#include "DesignFile.h"
+#include "PatternFit.h"
+#include "RestingSolve.h"
+#include "Sweep.h"
+#include "TestPaths.h"
+#include "TriangleTree.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <numbers>
+#include <random>
+#include <string_view>
+
+namespace bolster::test {
+namespace {
+
+struct Real {
+    const char* name;
+    SolveInput input;
+};
+
+struct Amount {
+    int seeds = 3;
+    int samples = 1000;
+    int numbers = 24;
+};
+
+Real realAt(const char* name, const std::string& path)
+{
+    const OpenedDesign opened = openDesign(QString::fromStdString(path));
+    if (!opened.readable) {
+        std::cerr << path << " cannot be read\n";
+        std::exit(EXIT_FAILURE);
+    }
+    return {name, {opened.design, opened.files}};
+}
+
+class Stopwatch {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_from).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_from = std::chrono::steady_clock::now();
+};
+
+SurfaceMeshPtr restingCover(const SolveInput& input)
+{
+    const SolveResult result = solveResting(input, {});
+    if (!result.surface) {
+        std::cerr << result.reason.english() << "\n";
+        std::exit(EXIT_FAILURE);
+    }
+    return result.surface;
+}
+
+/// A number from 0 to 1 that is the same on every machine.
+double share(std::mt19937_64& random)
+{
+    return static_cast<double>(random() >> 11U) * 0x1.0p-53;
+}
+
+/// Its control points along smooth waves around each outline, three in each direction, the farthest by 8 mm.
+Design bent(const Design& design, std::uint64_t seed)
+{
+    constexpr double farthest = 8; // mm
+    std::mt19937_64 random(seed);
+    std::vector<Freedom> freedoms;
+    std::vector<double> values;
+    double most = 0;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        const int count = patch.outline.pointCount();
+        std::array<std::array<double, 6>, 2> waves{};
+        for (auto& axis : waves)
+            for (double& number : axis)
+                number = share(random);
+        for (int k = 0; k < count; ++k) {
+            Vec2 move = Vec2::Zero();
+            for (int axis = 0; axis < 2; ++axis)
+                for (std::size_t h = 0; h < 3; ++h)
+                    move[axis] += (2 * waves[axis][2 * h] - 1) *
+                                  std::sin(2 * std::numbers::pi *
+                                           (static_cast<double>(h + 1) * k / count + waves[axis][2 * h + 1]));
+            for (int axis = 0; axis < 2; ++axis) {
+                freedoms.push_back({.kind = Freedom::Kind::OutlinePoint,
+                                    .element = id,
+                                    .index = k,
+                                    .direction = Vec2::Unit(axis)});
+                values.push_back(move[axis]);
+            }
+            most = std::max(most, move.norm());
+        }
+    });
+    const Eigen::Map<const Eigen::VectorXd> moves(values.data(), std::ssize(values));
+    return withFreedoms(design, freedoms, moves * (farthest / most));
+}
+
+/// Points of a cover as a scanner finds them: 1 mm of noise, three holes of 100 mm.
+PointCloud scanned(const SurfaceMesh& surface, std::uint64_t seed)
+{
+    constexpr double areaOfPoint = 30, noise = 1, holeRadius = 50; // mm^2, mm, mm
+    std::mt19937_64 random(seed);
+    const auto gaussian = [&] { // Box and Muller: std::normal_distribution differs between libraries
+        return noise * std::sqrt(-2 * std::log(1 - share(random))) * std::cos(2 * std::numbers::pi * share(random));
+    };
+    std::array<Vec3, 3> holes;
+    for (Vec3& hole : holes)
+        hole = surface.positions[random() % surface.positions.size()];
+    PointCloud cloud;
+    double owed = 0;
+    for (const auto& t : surface.topology->triangles) {
+        const Vec3 a = surface.positions[t[0]], u = surface.positions[t[1]] - a, v = surface.positions[t[2]] - a;
+        for (owed += 0.5 * u.cross(v).norm() / areaOfPoint; owed >= 1; --owed) {
+            const double root = std::sqrt(share(random)), across = share(random);
+            const Vec3 at = a + root * (1 - across) * u + root * across * v;
+            const Vec3 off(gaussian(), gaussian(), gaussian());
+            if (std::ranges::none_of(holes, [&](const Vec3& hole) { return (hole - at).norm() < holeRadius; }))
+                cloud.points.emplace_back(at + off);
+        }
+    }
+    return cloud;
+}
+
+struct Distance {
+    double rms = 0, p95 = 0;
+};
+
+Distance summary(std::vector<double> sizes)
+{
+    double squares = 0;
+    for (const double size : sizes)
+        squares += size * size;
+    std::ranges::sort(sizes);
+    return {std::sqrt(squares / static_cast<double>(sizes.size())),
+            sizes[static_cast<std::size_t>(0.95 * static_cast<double>(sizes.size() - 1))]};
+}
+
+/// Of the vertices of a cover from the triangles of another one.
+Distance between(const SurfaceMesh& cover, const SurfaceMesh& right)
+{
+    std::vector<TriangleTree::Triangle> triangles;
+    for (const auto& t : right.topology->triangles)
+        triangles.push_back({right.positions[t[0]], right.positions[t[1]], right.positions[t[2]]});
+    const TriangleTree tree(triangles);
+    std::vector<double> sizes;
+    for (const Vec3& place : cover.positions)
+        sizes.push_back(tree.distance(place, 1000));
+    return summary(std::move(sizes));
+}
+
+void printFits(const std::vector<Real>& covers, const Amount& amount)
+{
+    std::printf("### A bent pattern comes back\n\n"
+                "| cover | seed | numbers | cover before, rms (P95) mm | after, rms (P95) mm | seams' sides mm | "
+                "points moved mm | time s |\n|---|---|---|---|---|---|---|---|\n");
+    for (const Real& real : covers) {
+        const SurfaceMeshPtr right = restingCover(real.input);
+        for (int seed = 1; seed <= amount.seeds; ++seed) {
+            const SolveInput wrong{bent(real.input.design, static_cast<std::uint64_t>(seed)), real.input.files};
+            FitOrder order;
+            order.goals.target = targetOf(Scan{}, scanned(*right, static_cast<std::uint64_t>(seed)));
+            order.freedoms = outlineFreedoms(wrong.design);
+            const Stopwatch watch;
+            const FitResult result = fitPattern(wrong, order);
+            const double time = watch.seconds();
+            const Distance before = between(*restingCover(wrong), *right);
+            const Distance after = between(*restingCover({result.design, wrong.files}), *right);
+            std::printf("| %s | %d | %zu | %.2f (%.2f) | %.2f (%.2f) | %.2f | %.1f | %.0f |\n", real.name, seed,
+                        order.freedoms.size(), before.rms, before.p95, after.rms, after.p95, result.after.sewnMost,
+                        largestChange(order.freedoms, result.values), time);
+            std::fflush(stdout);
+        }
+    }
+}
+
+void printStrains(const std::vector<Real>& covers)
+{
+    std::printf(
+        "\n### Strain below 2 %%, without a scan\n\n"
+        "| cover | area over the limit before | after | cover changed, rms mm | seams' sides mm | points moved "
+        "mm | time s |\n|---|---|---|---|---|---|---|\n");
+    for (const Real& real : covers) {
+        FitOrder order;
+        order.goals.strain = true;
+        order.goals.limit = 2;
+        order.goals.keepShape = 0.5;
+        order.freedoms = outlineFreedoms(real.input.design);
+        const Stopwatch watch;
+        const FitResult result = fitPattern(real.input, order);
+        std::printf("| %s | %.1f %% | %.1f %% | %.2f | %.2f | %.1f | %.0f |\n", real.name,
+                    100 * result.before.overLimit, 100 * result.after.overLimit, result.after.shapeRms,
+                    result.after.sewnMost, largestChange(order.freedoms, result.values), watch.seconds());
+        std::fflush(stdout);
+    }
+}
+
+void printSweeps(const std::vector<Real>& covers, const Amount& amount)
+{
+    std::printf(
+        "\n### Tolerances, as if covers were linear and solved\n\n"
+        "Pieces are cut 1 mm larger or smaller, seams sewn 1 mm farther in or out, fixations 1 mm elsewhere. "
+        "P95 of each vertex, over the cover.\n\n"
+        "| cover | tolerances | vertices | linear, rms (most) mm | time s | samples solved (at rest) | solved, "
+        "rms (most) mm | they differ by, rms mm | time s |\n|---|---|---|---|---|---|---|---|---|\n");
+    for (const Real& real : covers) {
+        Tolerances tolerances;
+        for (const auto& some : {cutTolerances(real.input.design, 1), seamTolerances(real.input.design, 1),
+                                 fixationTolerances(real.input.design, 1)})
+            tolerances.all.insert(tolerances.all.end(), some.begin(), some.end());
+        Sweep sweep(real.input, tolerances, 0);
+        const Stopwatch linearWatch;
+        const std::vector<float> linear = linearP95(sweep.linear(), tolerances, amount.samples);
+        const double linearTime = linearWatch.seconds();
+        const Stopwatch watch;
+        const std::vector<SweepSample> samples = sweep.solve(0, amount.samples);
+        std::vector<const SweepSample*> resting;
+        for (const SweepSample& sample : samples)
+            if (!sample.outside.empty())
+                resting.push_back(&sample);
+        const std::vector<float> solved = solvedP95(resting);
+        std::vector<double> differences;
+        for (std::size_t v = 0; v < solved.size(); ++v)
+            differences.push_back(solved[v] - linear[v]);
+        const auto rms = [](const std::vector<float>& map) { return summary({map.begin(), map.end()}).rms; };
+        std::printf("| %s | %zu | %zu | %.2f (%.2f) | %.0f | %zu (%zu) | %.2f (%.2f) | %.2f | %.0f |\n", real.name,
+                    tolerances.all.size(), linear.size(), rms(linear), *std::ranges::max_element(linear),
+                    linearTime, samples.size(), resting.size(), rms(solved), *std::ranges::max_element(solved),
+                    summary(std::move(differences)).rms, watch.seconds());
+        std::fflush(stdout);
+    }
+}
+
+/// So many of them at most, spread evenly.
+std::vector<Freedom> someOf(const std::vector<Freedom>& all, int most)
+{
+    const std::size_t wanted = std::min(all.size(), static_cast<std::size_t>(most));
+    std::vector<Freedom> some;
+    for (std::size_t k = 0; k < wanted; ++k)
+        some.push_back(all[k * all.size() / wanted]);
+    return some;
+}
+
+/// How far each vertex lies beside another cover, along its normal, mm.
+Eigen::VectorXd heightsOver(const SurfaceMesh& before, const SurfaceMesh& after)
+{
+    const CoverMove move = moveBetween(before, after);
+    Eigen::VectorXd heights = Eigen::VectorXd::Zero(std::ssize(after.positions));
+    for (std::size_t v = 0; move.from && v < after.positions.size(); ++v)
+        heights[static_cast<Eigen::Index>(v)] =
+            after.normals[v].cast<double>().dot(after.positions[v] - move.from->positions[v]);
+    return heights;
+}
+
+void printDerivativesOf(const Real& real, const char* kind, const std::vector<Freedom>& freedoms, CoverTeam& team,
+                        const SurfaceMesh& home)
+{
+    const CoverMeasure places = [](const WarmCover& cover, const Design&) { return placesOf(cover); };
+    const Stopwatch watch;
+    const Derivatives found = differentiate(team, real.input.design, freedoms, places, false);
+    const double time = watch.seconds() / static_cast<double>(freedoms.size());
+    std::vector<double> moved, wrong;
+    double fullTime = 0;
+    for (std::size_t k = 0; k < freedoms.size(); ++k) {
+        if (!found.known[k])
+            continue;
+        const double step = freedoms[k].step;
+        const Stopwatch fullWatch;
+        const SurfaceMeshPtr full = restingCover(
+            {withFreedoms(real.input.design, std::span(&freedoms[k], 1), Eigen::VectorXd::Constant(1, step)),
+             real.input.files});
+        fullTime += fullWatch.seconds();
+        SurfaceMesh predicted = home;
+        for (std::size_t v = 0; v < home.positions.size(); ++v)
+            predicted.positions[v] +=
+                step * found.columns.col(static_cast<Eigen::Index>(k))
+                           .segment<3>(3 * static_cast<Eigen::Index>(home.topology->unknown[v]));
+        const double size = std::sqrt(static_cast<double>(full->positions.size()));
+        moved.push_back(heightsOver(home, *full).norm() / size);
+        wrong.push_back(heightsOver(predicted, *full).norm() / size);
+    }
+    if (moved.empty())
+        return;
+    const double solves = static_cast<double>(moved.size());
+    std::ranges::sort(moved);
+    std::ranges::sort(wrong);
+    std::printf("| %s | %s | %zu (%zu) | %.3f | %.3f | %.3f | %.2f | %.2f |\n", real.name, kind, freedoms.size(),
+                moved.size(), moved[moved.size() / 2], wrong[wrong.size() / 2], wrong.back(), time,
+                fullTime / solves);
+    std::fflush(stdout);
+}
+
+void printDerivatives(const std::vector<Real>& covers, const Amount& amount)
+{
+    std::printf(
+        "\n### Derivatives against full solves\n\n"
+        "What a difference of covers found from the one at rest says of a step (1 mm; 0.05 of pressure) against "
+        "the cover of the changed design, "
+        "solved from its usual start. Triangles of bent outlines are then others, which alone makes a "
+        "difference.\n\n"
+        "| cover | numbers | how many (known) | the cover moves by, rms mm | the derivative is wrong by, rms mm "
+        "| at worst | time of a derivative s | of a full solve s |\n|---|---|---|---|---|---|---|---|\n");
+    for (const Real& real : covers) {
+        CoverTeam team(real.input, {}, 0);
+        const SurfaceMesh home = *team.first().surface();
+        const Design& design = real.input.design;
+        std::vector<Freedom> cuts;
+        for (const Tolerance& tolerance : cutTolerances(design, 1))
+            cuts.insert(cuts.end(), tolerance.freedoms.begin(), tolerance.freedoms.end());
+        for (const auto& [kind, all] :
+             {std::pair("points of outlines", outlineFreedoms(design)), std::pair("whole outlines", cuts),
+              std::pair("fixations", fixationFreedoms(design)), std::pair("pressure", pressureFreedoms(design))})
+            printDerivativesOf(real, kind, someOf(all, amount.numbers / 3), team, home);
+    }
+}
+
+int run(int count, char** words)
+{
+    Amount amount;
+    std::string which = "abcd";
+    for (int k = 1; k < count; ++k) {
+        const std::string_view word = words[k];
+        if (word == "--quick")
+            amount = {1, 50, 9};
+        else if (word == "--samples" && k + 1 < count)
+            amount.samples = std::max(1, std::atoi(words[++k]));
+        else if (word == "--seeds" && k + 1 < count)
+            amount.seeds = std::max(1, std::atoi(words[++k]));
+        else if (word == "--only" && k + 1 < count)
+            which = words[++k];
+        else {
+            std::cout
+                << "Usage: bolster_inverse_figures [--quick] [--samples N] [--seeds N] [--only LETTERS]\n\n"
+                   "Tables: a a bent pattern comes back, b strain below a limit, c tolerances, d derivatives.\n";
+            return word == "--help" ? EXIT_SUCCESS : EXIT_FAILURE;
+        }
+    }
+    const std::vector<Real> covers{realAt("armchair body", dataFolder() + "/truth/armchair-body.json"),
+                                   realAt("car seat", dataFolder() + "/designs/car-seat-tied.json")};
+    std::vector<Real> withPillow = covers;
+    withPillow.push_back(realAt("pillow", samplesFolder() + "/pillow/pillow.json"));
+    const auto wants = [&](char letter) { return which.find(letter) != std::string::npos; };
+    if (wants('a'))
+        printFits(covers, amount);
+    if (wants('b'))
+        printStrains(covers);
+    if (wants('c'))
+        printSweeps(withPillow, amount);
+    if (wants('d'))
+        printDerivatives(covers, amount);
+    return EXIT_SUCCESS;
+}
+
+} // namespace
+} // namespace bolster::test
+
+int main(int count, char** words)
+{
+    return bolster::test::run(count, words);
+}
