@@ -21,7 +21,7 @@ constexpr double besideEachOther = 60; // mm between patches in the layout
 constexpr double rowsWide = 1.5;       // times as wide as high is what lies in rows
 constexpr double openCut = 0.6;        // mm between the sides of a cut
 constexpr double openWithin = 20;      // mm from its end on
-constexpr double sameSize = 0.02;      // share by which twins differ
+constexpr double sameShape = 0.5;      // mm: from each other's mirror image are twins
 
 template <class Point>
 double turnAt(const Point& before, const Point& at, const Point& after)
@@ -140,7 +140,7 @@ private:
                     break;
                 Vec2& a = m_flat[p].at[there.border[left]];
                 Vec2& b = m_flat[p].at[there.border[right]];
-                const Vec2 way = flatPoint(p, there.before(left)) - flatPoint(p, there.after(left));
+                const Vec2 way = a - flatPoint(p, there.after(left));
                 along += (flatPoint(p, there.after(left)) - a).norm();
                 const double wanted = openCut * std::min(1.0, along / openWithin);
                 if ((b - a).norm() >= wanted || !(way.norm() > 0))
@@ -345,27 +345,29 @@ private:
         m_builder.add(fixation);
     }
 
-    Vec3 middleOf(std::size_t p) const
+    /// Whether the border of one piece, mirrored at x = 0, lies on that of the other one.
+    bool mirrors(std::size_t p, std::size_t q) const
     {
-        Vec3 sum = Vec3::Zero();
-        for (const int vertex : piece(p).border)
-            sum += m_form.points[piece(p).points[vertex]];
-        return sum / static_cast<double>(std::max<std::size_t>(piece(p).border.size(), 1));
+        for (std::size_t k = 0; k < piece(p).border.size(); ++k) {
+            const Vec3 here = formPoint(p, k).cwiseProduct(Vec3(-1, 1, 1));
+            double nearest = 2 * sameShape;
+            for (std::size_t i = 0; i < piece(q).border.size() && nearest > sameShape; ++i) {
+                const Vec3 from = formPoint(q, i), way = formPoint(q, piece(q).after(i)) - from;
+                const double along = std::clamp((here - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+                nearest = std::min(nearest, (from + along * way - here).norm());
+            }
+            if (nearest > sameShape)
+                return false;
+        }
+        return true;
     }
 
     /// Pieces that are mirror images of each other at the usual plane of symmetry follow each other from now on.
     void linkTwins()
     {
-        Box3 box;
-        for (const Vec3& point : m_form.points)
-            box.extend(point);
-        const double near = sameSize * box.sizes().norm();
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
             for (std::size_t q = p + 1; q < m_form.pieces.size(); ++q) {
-                const Vec3 here = middleOf(p), there = middleOf(q);
-                const bool mirrored = (Vec3(-here.x(), here.y(), here.z()) - there).norm() < near;
-                if (!mirrored || !isThere(p) || !isThere(q) ||
-                    std::abs(m_flat[p].area / m_flat[q].area - 1) > sameSize)
+                if (!isThere(p) || !isThere(q) || !mirrors(p, q) || !mirrors(q, p))
                     continue;
                 const Edit link = edits::linkTwins(m_builder.now(), m_result.patches[p], m_result.patches[q]);
                 if (!link.empty() && checkedWell(m_builder.now().with(link)))
