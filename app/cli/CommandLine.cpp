@@ -27,6 +27,7 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
        bolster fit-pattern DESIGN --to GOAL --out DESIGN.json
                                     change a pattern until its cover fits a goal
        bolster sweep DESIGN ...     say where the cover varies when tolerances do
+       bolster explain DESIGN ...   say why a piece that was scanned is as it is
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
@@ -57,6 +58,7 @@ const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
                             {"flatten", cli::flattenHelp, cli::flattenForm},
                             {"fit-pattern", cli::fitPatternHelp, cli::fitPattern},
                             {"sweep", cli::sweepHelp, cli::sweep},
+                            {"explain", cli::explainHelp, cli::explain},
                             {"convert", cli::convertHelp, cli::convert},
                             {"bench", cli::benchHelp, cli::bench}};
 

@@ -77,10 +77,11 @@ struct Sweep::Team {
     }
 };
 
-Sweep::Sweep(const SolveInput& input, Tolerances tolerances, int threads, const std::stop_token& stop)
+Sweep::Sweep(const SolveInput& input, Tolerances tolerances, int threads, const std::stop_token& stop,
+             double edgeLength)
     : m_tolerances(std::move(tolerances))
     , m_design(input.design)
-    , m_team(std::make_unique<Team>(CoverTeam(input, {}, threads, stop)))
+    , m_team(std::make_unique<Team>(CoverTeam(input, {.edgeLength = edgeLength}, threads, stop)))
 {
     if (m_team->covers.problem().empty() && !stop.stop_requested())
         m_nominal = m_team->covers.first().surface();
@@ -137,6 +138,17 @@ std::vector<SweepSample> Sweep::solve(std::uint64_t first, int count, const std:
         summarise(sample);
     });
     return samples;
+}
+
+std::vector<SurfaceMeshPtr> Sweep::covers(const std::vector<Eigen::VectorXd>& numbers, const std::stop_token& stop)
+{
+    std::vector<SurfaceMeshPtr> found(numbers.size());
+    m_team->covers.forTasks(static_cast<int>(numbers.size()), [&](WarmCover& cover, int k) {
+        const auto which = static_cast<std::size_t>(k);
+        if (!stop.stop_requested() && cover.follow(sampleDesign(m_design, m_tolerances, numbers[which]), stop))
+            found[which] = cover.surface();
+    });
+    return found;
 }
 
 SweepSample linearSample(const Eigen::MatrixXf& linear, const Tolerances& tolerances, std::uint64_t number)

@@ -23,7 +23,9 @@ struct SweepSample {
 /// Samples of one design. Not for several threads at once; uses several itself.
 class Sweep {
 public:
-    Sweep(const SolveInput& input, Tolerances tolerances, int threads, const std::stop_token& stop = {});
+    /// `edgeLength` of the triangles, mm; 0: the design's.
+    Sweep(const SolveInput& input, Tolerances tolerances, int threads, const std::stop_token& stop = {},
+          double edgeLength = 0);
     ~Sweep();
     Sweep(const Sweep&) = delete;
     Sweep& operator=(const Sweep&) = delete;
@@ -38,6 +40,9 @@ public:
     Eigen::MatrixXf linear(const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
     /// Covers at rest of samples `first` .. `first + count - 1`. Each follows from its number alone.
     std::vector<SweepSample> solve(std::uint64_t first, int count, const std::stop_token& stop = {});
+    /// Covers at rest with these numbers of all tolerances; null where there is none.
+    std::vector<SurfaceMeshPtr> covers(const std::vector<Eigen::VectorXd>& numbers,
+                                       const std::stop_token& stop = {});
 
 private:
     struct Team;

@@ -1,8 +1,6 @@
-#include "CloudImport.h"
 #include "DesignJson.h"
+#include "FitTargetFiles.h"
 #include "Interrupt.h"
-#include "LengthUnits.h"
-#include "MeshImport.h"
 #include "Output.h"
 #include "PatternFit.h"
 #include "ProgressLine.h"
@@ -136,51 +134,6 @@ std::string asText(const Message& problem)
     return problem.empty() ? "interrupted" : problem.english();
 }
 
-/// Throws UsageError when the file holds nothing.
-FitTarget targetIn(const QString& path, const Arguments& arguments, const std::stop_token& stop)
-{
-    const double unit = saidUnit(arguments).value_or(1);
-    const bool upIsY = saysUpIsY(arguments).value_or(false);
-    const auto upright = [&](std::vector<Vec3> points) {
-        for (Vec3& point : points) {
-            point *= unit;
-            if (upIsY)
-                point = {point.x(), -point.z(), point.y()};
-        }
-        return points;
-    };
-    const ImportedMesh read = importMesh(path, {stop, {}, {}});
-    if (read.mesh && !read.mesh->triangles.empty()) {
-        TriangleMesh mesh = *read.mesh;
-        mesh.points = upright(std::move(mesh.points));
-        return targetOf(mesh);
-    }
-    const ImportedCloud cloud = importCloud(path, {stop, {}, {}});
-    if (!cloud.cloud)
-        throw UsageError(path.toStdString() + ": " + asText(read.mesh ? cloud.problem : read.problem));
-    PointCloud points = *cloud.cloud;
-    points.points = upright(std::move(points.points));
-    return targetOf(Scan{}, points);
-}
-
-/// Throws UsageError when the design has no scan, or several.
-FitTarget scanOf(const OpenedDesign& opened)
-{
-    FitTarget target;
-    int count = 0;
-    opened.design.each<Scan>([&](ElementId id, const Scan& scan) {
-        const auto cloud = opened.files.clouds.find(id);
-        if (cloud == opened.files.clouds.end())
-            return;
-        if (++count == 1)
-            target = targetOf(scan, *cloud->second);
-    });
-    if (count != 1)
-        throw UsageError(count == 0 ? "the design has no scan whose file can be read: give one with --to FILE"
-                                    : "the design has several scans: give the file of one with --to FILE");
-    return target;
-}
-
 Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std::stop_token& stop)
 {
     Asked asked;
@@ -195,7 +148,7 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
         else if (!goals.target.empty())
             throw UsageError("the cover can lie on one form alone");
         else
-            goals.target = goal == "scan" ? scanOf(opened) : targetIn(exactText(goal), arguments, stop);
+            goals.target = goal == "scan" ? scanOf(opened, "--to") : targetIn(exactText(goal), arguments, stop);
     }
     if (!goals.strain && goals.target.empty())
         throw UsageError("to what? --to FILE, --to scan or --to strain");

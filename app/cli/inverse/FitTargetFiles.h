@@ -1,0 +1,16 @@
+// Forms that covers are compared with, as commands name them.
+#pragma once
+
+#include "Arguments.h"
+#include "DesignFile.h"
+#include "FitGoals.h"
+
+namespace bolster::cli {
+
+/// Of a mesh, or points, in a file, as `--unit` and `--up` say. Throws UsageError when it holds neither.
+FitTarget targetIn(const QString& path, const Arguments& arguments, const std::stop_token& stop);
+
+/// Throws UsageError when the design has no scan, or several; `option` is what names a file instead.
+FitTarget scanOf(const OpenedDesign& opened, const std::string& option);
+
+} // namespace bolster::cli

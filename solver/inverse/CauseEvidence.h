@@ -1,0 +1,52 @@
+// Linear Bayes: which of a few sets of columns explains a field best.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bolster {
+
+/// A field, and what each number does to it: for one standard deviation of it upwards and downwards. Rows are
+/// scaled so that the noise of all is alike and their squares count independent places.
+struct CauseColumns {
+    Eigen::VectorXd field;
+    Eigen::MatrixXd up, down;        ///< `down` is near -`up`
+    std::vector<Eigen::Index> first; ///< of each cause's columns, and one more: their end
+
+    int causes() const { return static_cast<int>(first.size()) - 1; }
+};
+
+struct CauseFit {
+    Eigen::VectorXd numbers;    ///< likeliest, in standard deviations beforehand
+    Eigen::MatrixXd covariance; ///< of them afterwards
+    Eigen::VectorXd reached;    ///< the part of the field that they explain
+    double volume = 0;          ///< logarithm: by how much knowing narrows them down, which counts against a cause
+    double evidence = 0;        ///< logarithm, against none
+};
+
+class CauseEvidence {
+public:
+    /// `places`: how many independent ones the rows stand for. Takes the noise from what all columns leave.
+    CauseEvidence(CauseColumns columns, double places, double leastNoise);
+
+    double noise() const { return m_noise; }
+    const CauseColumns& columns() const { return m_columns; }
+    CauseFit fit(int cause) const;
+    /// Of numbers that are known to reach only so far: with covers, instead of columns.
+    double evidence(const CauseFit& fit, const Eigen::VectorXd& numbers, const Eigen::VectorXd& remains) const;
+    /// Where the numbers should go when so much remains of the field.
+    Eigen::VectorXd step(int cause, const CauseFit& fit, const Eigen::VectorXd& numbers,
+                         const Eigen::VectorXd& remains) const;
+    /// How much of a field the columns of a cause can be, 0 to 1: the cosine of the angle between them.
+    double likeness(int cause, const Eigen::VectorXd& field) const;
+
+private:
+    Eigen::MatrixXd columnsAt(Eigen::Index first, const Eigen::VectorXd& numbers) const;
+    CauseFit fitOf(Eigen::Index first, Eigen::Index count) const;
+
+    CauseColumns m_columns;
+    double m_noise = 1;
+};
+
+} // namespace bolster

@@ -1,0 +1,288 @@
+#include "CauseFinder.h"
+
+#include "CauseEvidence.h"
+#include "ScanField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace bolster {
+
+namespace {
+
+constexpr double independent = 40; // mm: noise of nearer places, and what no cause explains, is alike
+constexpr double fewestPlaces = 10;
+constexpr double leastNoise = 0.05; // mm
+constexpr double sameField = 0.95;  // cosine
+
+/// What is measured at the vertices of the nominal cover that the scan shows.
+struct Measured {
+    std::vector<Eigen::Index> vertices;
+    Eigen::VectorXd scale; ///< of rows: all of them stand for as many as there are independent places
+    double places = 0;
+    double covered = 0; ///< share of the area
+
+    Eigen::VectorXd rowsOf(const auto& ofVertex) const
+    {
+        Eigen::VectorXd rows(scale.size());
+        for (Eigen::Index k = 0; k < rows.size(); ++k)
+            rows[k] = scale[k] * (ofVertex[vertices[static_cast<std::size_t>(k)]]);
+        return rows;
+    }
+};
+
+std::vector<Tolerance> numbersOf(const std::vector<Cause>& causes)
+{
+    std::vector<Tolerance> all;
+    for (const Cause& cause : causes)
+        all.insert(all.end(), cause.numbers.begin(), cause.numbers.end());
+    return all;
+}
+
+ScanField fieldOf(const SurfaceMesh& surface, const FitTarget& scan)
+{
+    WorkerPool pool(0);
+    return scanField(surface, scan, pool);
+}
+
+Measured measuredBy(const SurfaceMesh& surface, const std::vector<double>& outside)
+{
+    std::vector<double> areas(surface.positions.size(), 0);
+    for (const auto& t : surface.topology->triangles) {
+        const Vec3& a = surface.positions[t[0]];
+        const double area = 0.5 * (surface.positions[t[1]] - a).cross(surface.positions[t[2]] - a).norm();
+        for (const std::uint32_t v : t)
+            areas[v] += area / 3;
+    }
+    Measured measured;
+    std::vector<double> kept;
+    for (std::size_t v = 0; v < outside.size(); ++v)
+        if (!std::isnan(outside[v])) {
+            measured.vertices.push_back(static_cast<Eigen::Index>(v));
+            kept.push_back(areas[v]);
+        }
+    const Eigen::Map<const Eigen::VectorXd> area(kept.data(), std::ssize(kept));
+    measured.covered = area.sum() / std::accumulate(areas.begin(), areas.end(), 0.0);
+    measured.places = std::clamp(area.sum() / (independent * independent), fewestPlaces,
+                                 std::max(fewestPlaces, static_cast<double>(kept.size())));
+    measured.scale = (area * (measured.places / area.sum())).cwiseSqrt();
+    return measured;
+}
+
+/// One cause while it is looked at.
+struct Candidate {
+    std::size_t cause = 0;
+    CauseFit fit;
+    Eigen::VectorXd numbers; ///< standard deviations
+    double evidence = 0;
+    double share = 0;
+    bool solved = false;
+    Eigen::VectorXd remains; ///< of the field, when solved
+};
+
+/// Solves covers of candidates where the columns say, and one step further, and keeps what is better.
+class CandidateSolver {
+public:
+    CandidateSolver(Sweep& sweep, const std::vector<Cause>& causes, const CauseEvidence& evidence,
+                    const Measured& measured, const FitTarget& scan)
+        : m_sweep(sweep)
+        , m_causes(causes)
+        , m_evidence(evidence)
+        , m_measured(measured)
+        , m_scan(scan)
+    {}
+
+    void solve(std::span<Candidate> candidates, const std::stop_token& stop)
+    {
+        std::vector<Eigen::VectorXd> tried;
+        for (const Candidate& candidate : candidates)
+            tried.push_back(rounded(candidate.cause, candidate.numbers));
+        solveAt(candidates, tried, stop);
+        for (std::size_t k = 0; k < candidates.size(); ++k)
+            tried[k] = next(candidates[k], tried[k]);
+        solveAt(candidates, tried, stop);
+    }
+
+private:
+    Eigen::VectorXd rounded(std::size_t cause, Eigen::VectorXd numbers) const
+    {
+        for (Eigen::Index k = 0; k < numbers.size(); ++k) {
+            const Tolerance& tolerance = m_causes[cause].numbers[static_cast<std::size_t>(k)];
+            if (tolerance.whole)
+                numbers[k] = std::round(numbers[k] * tolerance.spread) / tolerance.spread;
+        }
+        return numbers;
+    }
+
+    Eigen::VectorXd next(const Candidate& candidate, const Eigen::VectorXd& tried) const
+    {
+        if (!candidate.solved)
+            return tried;
+        const Eigen::VectorXd step =
+            m_evidence.step(static_cast<int>(candidate.cause), candidate.fit, candidate.numbers, candidate.remains);
+        Eigen::VectorXd there = rounded(candidate.cause, candidate.numbers + step);
+        for (Eigen::Index k = 0; k < there.size(); ++k) {
+            const Tolerance& tolerance = m_causes[candidate.cause].numbers[static_cast<std::size_t>(k)];
+            if (tolerance.whole && there[k] == tried[k]) // the whole number on the other side
+                there[k] += std::copysign(1 / tolerance.spread, step[k]);
+        }
+        return there;
+    }
+
+    void solveAt(std::span<Candidate> candidates, const std::vector<Eigen::VectorXd>& tried,
+                 const std::stop_token& stop)
+    {
+        const std::vector<Eigen::Index>& first = m_evidence.columns().first;
+        std::vector<Eigen::VectorXd> numbers;
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            numbers.emplace_back(Eigen::VectorXd::Zero(first.back()));
+            const std::vector<Tolerance>& tolerances = m_causes[candidates[k].cause].numbers;
+            for (std::size_t n = 0; n < tolerances.size(); ++n) {
+                const auto at = static_cast<Eigen::Index>(n);
+                numbers.back()[first[candidates[k].cause] + at] = tried[k][at] * tolerances[n].spread;
+            }
+        }
+        const std::vector<SurfaceMeshPtr> covers = m_sweep.covers(numbers, stop);
+        for (std::size_t k = 0; k < candidates.size(); ++k)
+            if (covers[k])
+                take(candidates[k], tried[k], *covers[k]);
+    }
+
+    void take(Candidate& candidate, const Eigen::VectorXd& tried, const SurfaceMesh& cover) const
+    {
+        const Eigen::VectorXd& field = m_evidence.columns().field;
+        Eigen::VectorXd remains = m_measured.rowsOf(fieldOf(cover, m_scan).outside);
+        for (Eigen::Index k = 0; k < remains.size(); ++k) // the scan may not show all that it showed before
+            if (std::isnan(remains[k]))
+                remains[k] = field[k] - candidate.fit.reached[k];
+        const double evidence = m_evidence.evidence(candidate.fit, tried, remains);
+        if (candidate.solved && evidence <= candidate.evidence)
+            return;
+        candidate.solved = true;
+        candidate.evidence = evidence;
+        candidate.numbers = tried;
+        candidate.share = 1 - remains.squaredNorm() / field.squaredNorm();
+        candidate.remains = std::move(remains);
+    }
+
+    Sweep& m_sweep;
+    const std::vector<Cause>& m_causes;
+    const CauseEvidence& m_evidence;
+    const Measured& m_measured;
+    const FitTarget& m_scan;
+};
+
+std::vector<Candidate> candidatesOf(const CauseEvidence& evidence)
+{
+    std::vector<Candidate> candidates;
+    const double all = evidence.columns().field.squaredNorm();
+    for (int cause = 0; cause < evidence.columns().causes(); ++cause) {
+        Candidate candidate;
+        candidate.cause = static_cast<std::size_t>(cause);
+        candidate.fit = evidence.fit(cause);
+        candidate.numbers = candidate.fit.numbers;
+        candidate.evidence = candidate.fit.evidence;
+        candidate.share = 1 - (evidence.columns().field - candidate.fit.reached).squaredNorm() / all;
+        candidates.push_back(std::move(candidate));
+    }
+    std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::evidence);
+    return candidates;
+}
+
+/// Two are alike when one of them can be the field that the other one explains.
+std::vector<std::size_t> alikeTo(const Candidate& candidate, const std::vector<Candidate>& all,
+                                 const CauseEvidence& evidence)
+{
+    std::vector<std::size_t> alike;
+    for (const Candidate& other : all)
+        if (other.cause != candidate.cause &&
+            (evidence.likeness(static_cast<int>(other.cause), candidate.fit.reached) > sameField ||
+             evidence.likeness(static_cast<int>(candidate.cause), other.fit.reached) > sameField))
+            alike.push_back(other.cause);
+    return alike;
+}
+
+Explanation explanationOf(const Candidate& candidate, const Cause& cause)
+{
+    Explanation explanation;
+    explanation.cause = candidate.cause;
+    explanation.values = candidate.numbers;
+    explanation.spreads = candidate.fit.covariance.diagonal().cwiseSqrt();
+    for (Eigen::Index k = 0; k < explanation.values.size(); ++k) {
+        const Tolerance& tolerance = cause.numbers[static_cast<std::size_t>(k)];
+        const double spread = tolerance.spread * unitOf(tolerance);
+        explanation.values[k] *= spread;
+        explanation.spreads[k] *= spread;
+    }
+    explanation.evidence = candidate.evidence;
+    explanation.share = candidate.share;
+    explanation.solved = candidate.solved;
+    return explanation;
+}
+
+/// One cause or none, each as likely beforehand.
+void addProbabilities(Explanations& result)
+{
+    double most = 0, sum = 0;
+    for (const Explanation& one : result.ranked)
+        most = std::max(most, one.evidence);
+    for (Explanation& one : result.ranked)
+        sum += one.probability = std::exp(one.evidence - most);
+    result.none = std::exp(-most);
+    sum += result.none;
+    result.none /= sum;
+    for (Explanation& one : result.ranked)
+        one.probability /= sum;
+}
+
+} // namespace
+
+CauseFinder::CauseFinder(const SolveInput& input, const ExplainOrder& order,
+                         const std::function<void(double)>& progress, const std::stop_token& stop)
+    : m_causes(possibleCauses(withoutTwins(input.design)))
+    , m_sweep({withoutTwins(input.design), input.files}, {.all = numbersOf(m_causes)}, order.threads, stop,
+              order.edgeLength)
+    , m_solved(order.solved)
+{
+    m_first.push_back(0);
+    for (const Cause& cause : m_causes)
+        m_first.push_back(m_first.back() + std::ssize(cause.numbers));
+    if (m_sweep.nominal())
+        m_linear = m_sweep.linear(progress, stop);
+}
+
+Explanations CauseFinder::explain(const FitTarget& scan, const std::stop_token& stop)
+{
+    Explanations result;
+    const ScanField field = fieldOf(*nominal(), scan);
+    const Measured measured = measuredBy(*nominal(), field.outside);
+    if (measured.vertices.empty())
+        return result;
+    CauseColumns columns{.field = measured.rowsOf(field.outside), .up = {}, .down = {}, .first = m_first};
+    columns.up.resize(columns.field.size(), m_first.back());
+    columns.down.resize(columns.field.size(), m_first.back());
+    for (Eigen::Index k = 0; k < m_first.back(); ++k) {
+        columns.up.col(k) = measured.rowsOf(field.mean * m_linear.col(2 * k).cast<double>());
+        columns.down.col(k) = measured.rowsOf(field.mean * m_linear.col(2 * k + 1).cast<double>());
+    }
+    result.covered = measured.covered;
+    result.rms = std::sqrt(columns.field.squaredNorm() / measured.places);
+    const CauseEvidence evidence(std::move(columns), measured.places, leastNoise);
+    result.noise = evidence.noise();
+    std::vector<Candidate> candidates = candidatesOf(evidence);
+    const auto best = static_cast<std::ptrdiff_t>(std::min<std::size_t>(m_solved, candidates.size()));
+    CandidateSolver(m_sweep, m_causes, evidence, measured, scan)
+        .solve(std::span(candidates).first(static_cast<std::size_t>(best)), stop);
+    std::stable_sort(candidates.begin(), candidates.begin() + best,
+                     [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+    for (const Candidate& candidate : candidates) {
+        result.ranked.push_back(explanationOf(candidate, m_causes[candidate.cause]));
+        result.ranked.back().alike = alikeTo(candidate, candidates, evidence);
+    }
+    addProbabilities(result);
+    return result;
+}
+
+} // namespace bolster

@@ -1,0 +1,57 @@
+// Which cause explains best how far a built piece lies from its design.
+#pragma once
+
+#include "Causes.h"
+#include "FitGoals.h"
+#include "Sweep.h"
+
+namespace bolster {
+
+struct ExplainOrder {
+    double edgeLength = 0; ///< of the triangles, mm; 0: the design's
+    int solved = 5;        ///< of how many causes covers are solved, after a look at all by derivatives
+    int threads = 0;       ///< 0: as many as the machine has
+};
+
+struct Explanation {
+    std::size_t cause = 0;          ///< in CauseFinder::causes
+    Eigen::VectorXd values;         ///< the likeliest, as many as the cause has numbers, in its unit
+    Eigen::VectorXd spreads;        ///< standard deviation of each, when the scan is known and this is the cause
+    double evidence = 0;            ///< logarithm: how much likelier the scan is with this cause than with none
+    double share = 0;               ///< of the mean square of the deviation that it explains
+    double probability = 0;         ///< if it is one cause or none, and each is as likely beforehand
+    bool solved = false;            ///< by a cover; else as if covers were linear
+    std::vector<std::size_t> alike; ///< causes that the scan does not tell apart from this one
+};
+
+struct Explanations {
+    double rms = 0;     ///< mm: of the deviation
+    double noise = 0;   ///< mm: what remains of it with all causes together
+    double covered = 0; ///< share of the cover that the scan shows
+    double none = 0;    ///< probability that it is none of the causes
+    std::vector<Explanation> ranked;
+};
+
+/// Covers of one design beside each cause. Not for several threads at once; uses several itself.
+class CauseFinder {
+public:
+    CauseFinder(const SolveInput& input, const ExplainOrder& order,
+                const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
+
+    /// Why there is no cover; empty when there is one.
+    const Message& problem() const { return m_sweep.problem(); }
+    const std::vector<Cause>& causes() const { return m_causes; }
+    SurfaceMeshPtr nominal() const { return m_sweep.nominal(); }
+    /// Bayes for one cause at a time: normal priors, white noise whose size is what all causes together leave. The
+    /// best are solved and step once more from there. Nothing is ranked when the scan shows nothing of the cover.
+    Explanations explain(const FitTarget& scan, const std::stop_token& stop = {});
+
+private:
+    std::vector<Cause> m_causes;
+    std::vector<Eigen::Index> m_first; // of all numbers, each cause's
+    Sweep m_sweep;
+    Eigen::MatrixXf m_linear;
+    int m_solved;
+};
+
+} // namespace bolster
