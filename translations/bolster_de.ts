@@ -2677,6 +2677,25 @@
     </message>
 </context>
 <context>
+    <name>InverseCommands</name>
+    <message>
+        <source>From a f&amp;orm …</source>
+        <translation>Aus einer F&amp;orm …</translation>
+    </message>
+    <message>
+        <source>Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of them</source>
+        <translation>Zerlegt ein Gestell, ein Netz oder den Bezug in Teile, legt sie flach und macht daraus den Schnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to a goal …</source>
+        <translation>An ein &amp;Ziel anpassen …</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
+        <translation>Ändert den Schnitt, bis der Bezug auf einem Scan liegt oder weniger gedehnt ist</translation>
+    </message>
+</context>
+<context>
     <name>LabelDrag</name>
     <message>
         <source>Drag the label to where it can be read – Shift keeps to one axis, Ctrl does not snap, Esc takes it back</source>
@@ -5329,10 +5348,6 @@
         <translation>%1 Schnitte wurden gemacht, wo ein Stück ein Loch gehabt hätte oder ein Ring gewesen wäre; sie sind Nähte</translation>
     </message>
     <message>
-        <source>it has %1 triangles, more than %2: make it coarser first</source>
-        <translation>es hat %1 Dreiecke, mehr als %2: machen Sie es erst gröber</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>es hat kein Dreieck mit einer Fläche</translation>
     </message>
@@ -5563,6 +5578,66 @@
     <message>
         <source>%1: &quot;%2&quot; has a decimal comma; export with decimal points</source>
         <translation>%1: „%2“ hat ein Dezimalkomma; exportieren Sie mit Dezimalpunkten</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made.</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
+        <translation>Der Ordner „%1“ enthält die Stichproben eines anderen Entwurfs oder anderer Toleranzen: Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form</source>
+        <translation>Den Schnitt einer Form machen</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a goal</source>
+        <translation>Den Schnitt an ein Ziel anpassen</translation>
+    </message>
+    <message>
+        <source>it has %1 triangles, and cannot be made simpler</source>
+        <translation>Sie hat %1 Dreiecke und lässt sich nicht vereinfachen</translation>
+    </message>
+    <message>
+        <source>The form has %1 triangles; %2 stand for it, which are up to %3 mm off</source>
+        <translation>Die Form hat %1 Dreiecke; %2 stehen für sie, die bis zu %3 mm daneben liegen</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form: it is not cut along it</source>
+        <translation>%1 liegt %2 mm von der Form entfernt: Dort wird nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
+        <translation>%1 endet in einem Teil, bei %2: Dort wird wie bei einem Abnäher eingeschnitten. Bis zur nächsten Linie oder zum Rand sind es %3 mm; führen Sie sie bis dorthin, um das Teil zu trennen</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
+        <translation>In sie können keine Linien geschnitten werden: Sie hat Kanten, an denen sich mehr als zwei Flächen treffen, oder Flächen, die sich in einem Punkt berühren</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it goes through itself there</source>
+        <translation>In sie können keine Linien geschnitten werden: Sie durchdringt sich dort selbst</translation>
+    </message>
+    <message>
+        <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
+        <translation>Keine Stelle des Bezugs ist in der Nähe der Form: Bringen Sie sie dorthin, wo der Bezug ist, in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Nothing that may change does anything to the cover.</source>
+        <translation>Nichts von dem, was sich ändern darf, wirkt auf den Bezug.</translation>
+    </message>
+    <message>
+        <source>A step would have turned the outline of %1 over itself; a smaller one was taken</source>
+        <translation>Ein Schritt hätte den Umriss von %1 über sich selbst gelegt; es wurde ein kleinerer gemacht</translation>
+    </message>
+    <message>
+        <source>Nothing may change.</source>
+        <translation>Nichts darf sich ändern.</translation>
+    </message>
+    <message>
+        <source>The cover does not come to rest.</source>
+        <translation>Der Bezug kommt nicht zur Ruhe.</translation>
     </message>
 </context>
 <context>
@@ -8141,6 +8216,125 @@
     </message>
 </context>
 <context>
+    <name>bolster::FlatPiecesView</name>
+    <message>
+        <source>Pieces laid flat</source>
+        <translation>Flach gelegte Teile</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormPatternWindow</name>
+    <message>
+        <source>Pattern of a form</source>
+        <translation>Schnitt einer Form</translation>
+    </message>
+    <message>
+        <source>&amp;Make the pattern</source>
+        <translation>Schnitt &amp;machen</translation>
+    </message>
+    <message>
+        <source>where its &amp;parts meet</source>
+        <translation>wo ihre &amp;Gruppen aneinanderstoßen</translation>
+    </message>
+    <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>wo sie sich stärker &amp;biegt als</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Seam lines</source>
+        <translation>Nahtlinien</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>Fixierkurven des Entwurfs. Zeichnen Sie Nahtlinien mit dem Werkzeug für Fixierkurven auf ein Gestell: Was inzwischen gezeichnet wird, wird sofort geschnitten</translation>
+    </message>
+    <message>
+        <source>&amp;Form</source>
+        <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>&amp;Stoff</translation>
+    </message>
+    <message>
+        <source>It is cut</source>
+        <translation>Geschnitten wird</translation>
+    </message>
+    <message>
+        <source>and along the ticked lines:</source>
+        <translation>und entlang der angehakten Linien:</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>Der Bezug, wie er ist</translation>
+    </message>
+    <message>
+        <source>A file …</source>
+        <translation>Eine Datei …</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>Neuer Stoff</translation>
+    </message>
+    <message>
+        <source>The form to be covered</source>
+        <translation>Die Form, die bezogen werden soll</translation>
+    </message>
+    <message>
+        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
+        <translation>Netze und CAD-Dateien (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Choose the file of a form.</source>
+        <translation>Wählen Sie die Datei einer Form.</translation>
+    </message>
+    <message>
+        <source>There is no form: import a frame first.</source>
+        <translation>Es gibt keine Form: Importieren Sie zuerst ein Gestell.</translation>
+    </message>
+    <message>
+        <source>Laying it flat …</source>
+        <translation>Wird flach gelegt …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n Naht, deren Seiten sich um höchstens %1 unterscheiden</numerusform>
+            <numerusform>%n Nähte, deren Seiten sich um höchstens %1 unterscheiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms)</source>
+        <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n Teil ist irgendwo stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie es oder schneiden Sie es dort ein.</numerusform>
+            <numerusform>%n Teile sind irgendwo stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::FoundPiecesView</name>
     <message>
         <source>Pieces in the file</source>
@@ -8782,6 +8976,220 @@
     <message>
         <source>They go on without a kink already.</source>
         <translation>Sie gehen schon ohne Knick ineinander über.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PatternFitWindow</name>
+    <message>
+        <source>Fit the pattern to a goal</source>
+        <translation>Den Schnitt an ein Ziel anpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Take the changes</source>
+        <translation>Änderungen &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>Der Bezug &amp;liegt auf</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>Die &amp;Dehnung ist höchstens</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>Längs und quer zum Fadenlauf und als Scherung; der Bezug bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Dehnungsgrenze</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>Was sich ändern darf</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>&amp;Umrisse</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>Kontrollpunkte der Schnittteile</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>Sch&amp;aum</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>Wie dick Polster und Schaum sind, in ganzen Voxeln</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>F&amp;ixierungen</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie</source>
+        <translation>Wo Fixierkurven liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Druck</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>Der Druck unter jedem Schnittteil</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>Nur der ausgewä&amp;hlten Schnittteile</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Was bleibt</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>L&amp;ängen der Nähte</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>Die Seiten einer Naht behalten ihren Unterschied; ist er weit vom Einlauf der Naht entfernt, so nähert er sich ihm</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>&amp;Gerade Kanten</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>&amp;Winkel der Ecken</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>Kein Punkt wandert &amp;weiter als</translation>
+    </message>
+    <message>
+        <source>Changes of</source>
+        <translation>Änderungen von</translation>
+    </message>
+    <message>
+        <source>Moves by</source>
+        <translation>Wandert um</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>What is ticked is changed</source>
+        <translation>Was angehakt ist, wird geändert</translation>
+    </message>
+    <message>
+        <source>&amp;How much of it</source>
+        <translation>Wie &amp;viel davon</translation>
+    </message>
+    <message>
+        <source>A file …</source>
+        <translation>Eine Datei …</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>Die Form, auf der der Bezug liegen soll</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>Netze und Scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>Wählen Sie den Scan oder die Datei, auf denen der Bezug liegen soll.</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>Wählen Sie ein Ziel.</translation>
+    </message>
+    <message>
+        <source>Solving the cover …</source>
+        <translation>Der Bezug wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>Angehalten; nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Find changes</source>
+        <translation>Änderungen &amp;suchen</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms)</source>
+        <translation>%1 von der Form entfernt (quadratisches Mittel)</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit</source>
+        <translation>%1 des Bezugs liegen über der Grenze</translation>
+    </message>
+    <message>
+        <source>No change makes it better.</source>
+        <translation>Keine Änderung macht es besser.</translation>
+    </message>
+    <message>
+        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>Von der Form entfernt: %1 vorher, %2 jetzt (quadratisches Mittel); %3 vorher, %4 jetzt (95 %)</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover before, %2 now</source>
+        <translation>Über der Grenze: %1 des Bezugs vorher, %2 jetzt</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>Der Bezug wandert um %1 (quadratisches Mittel).</translation>
+    </message>
+    <message>
+        <source>On the way a fold came or went: look at the cover before you take it.</source>
+        <translation>Unterwegs ist eine Falte entstanden oder verschwunden: Sehen Sie sich den Bezug an, bevor Sie übernehmen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the numbers that may change do nothing here.</source>
+        <translation>
+            <numerusform>%n der Zahlen, die sich ändern dürfen, bewirkt hier nichts.</numerusform>
+            <numerusform>%n der Zahlen, die sich ändern dürfen, bewirken hier nichts.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Arrows in the pattern: %1 times as long as the way</source>
+        <translation>Pfeile im Schnitt: %1-mal so lang wie der Weg</translation>
+    </message>
+    <message>
+        <source>Arrows in the pattern: where its outlines go</source>
+        <translation>Pfeile im Schnitt: wohin seine Umrisse wandern</translation>
+    </message>
+    <message>
+        <source>Taken. Undo takes it back.</source>
+        <translation>Übernommen. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again.</source>
+        <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie die Änderungen neu.</translation>
     </message>
 </context>
 <context>

@@ -165,6 +165,30 @@
     </message>
 </context>
 <context>
+    <name>bolster::FormPatternWindow</name>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n piece</numerusform>
+            <numerusform>%n pieces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n seam, whose sides differ by %1 at most</numerusform>
+            <numerusform>%n seams, whose sides differ by %1 at most</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n piece is somewhere strained by more than the fabric may be (yellow): divide it, or cut it in there.</numerusform>
+            <numerusform>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -202,6 +226,16 @@
         <translation>
             <numerusform>%n piece is in the pattern. Seam &gt; Propose seams finds what belongs together.</numerusform>
             <numerusform>%n pieces are in the pattern. Seam &gt; Propose seams finds what belongs together.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PatternFitWindow</name>
+    <message numerus="yes">
+        <source>%n of the numbers that may change do nothing here.</source>
+        <translation>
+            <numerusform>%n of the numbers that may change does nothing here.</numerusform>
+            <numerusform>%n of the numbers that may change do nothing here.</numerusform>
         </translation>
     </message>
 </context>

@@ -182,8 +182,7 @@ public:
             if (now)
                 set(place.first, withNumber(*element, place.second, *now + value));
         }
-        moved = m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
-        return moved;
+        return m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
     }
 
 private:
