@@ -5639,6 +5639,50 @@
         <source>The cover does not come to rest.</source>
         <translation>Der Bezug kommt nicht zur Ruhe.</translation>
     </message>
+    <message>
+        <source>Make %1 longer by %3 mm where it is sewn to %2</source>
+        <translation>%1 um %3 mm verlängern, wo es an %2 genäht ist</translation>
+    </message>
+    <message>
+        <source>Make %1 shorter by %3 mm where it is sewn to %2</source>
+        <translation>%1 um %3 mm verkürzen, wo es an %2 genäht ist</translation>
+    </message>
+    <message>
+        <source>Let out %1 at %2 by %3 mm</source>
+        <translation>%1 bei %2 um %3 mm auslassen</translation>
+    </message>
+    <message>
+        <source>Take in %1 at %2 by %3 mm</source>
+        <translation>%1 bei %2 um %3 mm zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Move the seam of %1 and %2 by %3 mm into %2</source>
+        <translation>Naht von %1 und %2 um %3 mm in %2 hinein versetzen</translation>
+    </message>
+    <message>
+        <source>Move the seam of %1 and %2 by %3 mm into %1</source>
+        <translation>Naht von %1 und %2 um %3 mm in %1 hinein versetzen</translation>
+    </message>
+    <message>
+        <source>Let out the corner of %1 at %2 by %3 mm</source>
+        <translation>Ecke von %1 bei %2 um %3 mm auslassen</translation>
+    </message>
+    <message>
+        <source>Take in the corner of %1 at %2 by %3 mm</source>
+        <translation>Ecke von %1 bei %2 um %3 mm zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Cut a dart into %1 at %2, %3 mm wide and %4 mm deep</source>
+        <translation>Abnäher in %1 bei %2 schneiden, %3 mm breit und %4 mm tief</translation>
+    </message>
+    <message>
+        <source>Make the seam of %1 and %2 smooth</source>
+        <translation>Naht von %1 und %2 glatt machen</translation>
+    </message>
+    <message>
+        <source>Let the seam of %1 and %2 be sharp</source>
+        <translation>Naht von %1 und %2 scharf lassen</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>

@@ -28,6 +28,7 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
                                     change a pattern until its cover fits a goal
        bolster sweep DESIGN ...     say where the cover varies when tolerances do
        bolster explain DESIGN ...   say why a piece that was scanned is as it is
+       bolster relieve DESIGN       say where to change a pattern that strains its cloth
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
@@ -59,6 +60,7 @@ const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
                             {"fit-pattern", cli::fitPatternHelp, cli::fitPattern},
                             {"sweep", cli::sweepHelp, cli::sweep},
                             {"explain", cli::explainHelp, cli::explain},
+                            {"relieve", cli::relieveHelp, cli::relieve},
                             {"convert", cli::convertHelp, cli::convert},
                             {"bench", cli::benchHelp, cli::bench}};
 

@@ -12,9 +12,9 @@ namespace bolster {
 
 namespace {
 
-constexpr double margin = 14;       // pixels
-constexpr double roomForName = 60;  // pixels: narrower pieces have none
-constexpr float colourSteps = 24;   // triangles of a step are painted together
+constexpr double margin = 14;      // pixels
+constexpr double roomForName = 60; // pixels: narrower pieces have none
+constexpr float colourSteps = 24;  // triangles of a step are painted together
 
 /// Where a piece lies in the layout; nothing where it has become no patch.
 std::optional<Vec2> placeOf(const FormMade& made, std::size_t piece)
@@ -83,7 +83,9 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
         return;
     const FlatPiece& flat = m_made->flat[p];
     const FormPiece& piece = m_made->form.pieces[p];
-    const auto at = [&](int vertex) { return fit.map(toPoint(flat.at[static_cast<std::size_t>(vertex)] + *place)); };
+    const auto at = [&](int vertex) {
+        return fit.map(toPoint(flat.at[static_cast<std::size_t>(vertex)] + *place));
+    };
     const MapScale scale{MapScale::Kind::Sequential, static_cast<float>(m_limit)};
     std::map<int, QPainterPath> steps;
     for (std::size_t t = 0; t < piece.triangles.size(); ++t) {
@@ -108,8 +110,8 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
     const QRectF box = border.boundingRect();
     if (box.width() < roomForName)
         return;
-    const QString name = fontMetrics().elidedText(QString::fromStdString(piece.name), Qt::ElideRight,
-                                                  static_cast<int>(box.width()));
+    const QString name =
+        fontMetrics().elidedText(QString::fromStdString(piece.name), Qt::ElideRight, static_cast<int>(box.width()));
     QRectF plate = fontMetrics().boundingRect(name);
     plate.moveCenter(box.center());
     painter.fillRect(plate.adjusted(-3, -1, 3, 1), colors.canvas);

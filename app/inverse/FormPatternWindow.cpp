@@ -34,8 +34,7 @@ namespace {
 constexpr double besidePattern = 100; // mm
 
 /// Mesh of a frame as it stands in the design, mm.
-std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame,
-                                               const std::shared_ptr<const TriangleMesh>& file)
+std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
 {
     auto mesh = std::make_shared<TriangleMesh>(*shownMesh(file, frame.hiddenParts));
     for (Vec3& point : mesh->points)
@@ -208,9 +207,9 @@ void FormPatternWindow::fillLines()
 
 void FormPatternWindow::chooseFile()
 {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("The form to be covered"), m_session.path(),
-        tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("The form to be covered"), m_session.path(),
+                                                      tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step "
+                                                         "*.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)"));
     if (file.isEmpty())
         return;
     m_file = file;
@@ -346,11 +345,10 @@ void FormPatternWindow::make()
         for (const Vec2& point : patch.outline.points())
             own.extend(toLayout(patch, point));
     });
-    const Vec2 offset = there.isEmpty() ? Vec2::Zero()
-                                        : Vec2(there.min().x() - own.min().x(),
-                                               there.min().y() - besidePattern - own.max().y());
-    edits::Outcome outcome =
-        edits::paste(m_document.design(), writeDesign(m_made->pattern.design), offset);
+    const Vec2 offset =
+        there.isEmpty() ? Vec2::Zero()
+                        : Vec2(there.min().x() - own.min().x(), there.min().y() - besidePattern - own.max().y());
+    edits::Outcome outcome = edits::paste(m_document.design(), writeDesign(m_made->pattern.design), offset);
     if (outcome.edit.empty()) {
         m_said->setText(translated(outcome.problem));
         return;

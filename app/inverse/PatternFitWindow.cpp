@@ -34,7 +34,7 @@ namespace {
 
 constexpr double arrowsApart = 14;  // pixels
 constexpr double longestArrow = 45; // pixels
-constexpr double keptShape = 0.5; // weight against strain
+constexpr double keptShape = 0.5;   // weight against strain
 
 /// How far points of a patch would move at most, mm.
 double movedBy(const FitFound& found, ElementId patch)
@@ -242,9 +242,8 @@ QWidget* PatternFitWindow::buildOutcome()
 void PatternFitWindow::fillForms()
 {
     m_form->clear();
-    m_document.design().each<Scan>([&](ElementId id, const Scan& scan) {
-        m_form->addItem(QString::fromStdString(scan.name), number(id));
-    });
+    m_document.design().each<Scan>(
+        [&](ElementId id, const Scan& scan) { m_form->addItem(QString::fromStdString(scan.name), number(id)); });
     const bool scans = m_form->count() > 0;
     m_form->addItem(m_file.isEmpty() ? tr("A file \u2026") : QFileInfo(m_file).fileName(), "file");
     m_lies->setChecked(scans);
@@ -400,7 +399,8 @@ void PatternFitWindow::fillPatches()
         if (m_found->result.values[static_cast<Eigen::Index>(k)] != 0)
             elements.insert(m_found->freedoms[k].element);
     for (const ElementId id : elements) {
-        auto* row = new QTreeWidgetItem(m_patches, {displayName(m_start, id), lengthText(movedBy(*m_found, id), 1)});
+        auto* row =
+            new QTreeWidgetItem(m_patches, {displayName(m_start, id), lengthText(movedBy(*m_found, id), 1)});
         row->setData(0, Qt::UserRole, number(id));
         row->setCheckState(0, Qt::Checked);
     }
@@ -428,13 +428,15 @@ void PatternFitWindow::preview()
     if (!m_gesture || !m_gesture->active())
         m_gesture.emplace(m_document);
     const Design changed = changedDesign();
-    m_gesture->update(editBetween(m_start, changed, {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}}));
+    m_gesture->update(
+        editBetween(m_start, changed, {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}}));
     const double pixel = 1 / m_pattern.navigation().transform().scale(); // mm
     PatternArrows arrows = arrowsBetween(m_start, changed, arrowsApart * pixel, longestArrow * pixel);
-    m_arrowsSaid->setText(arrows.arrows.empty()     ? QString()
-                          : arrows.longer > 1 ? tr("Arrows in the pattern: %1 times as long as the way")
-                                                    .arg(QLocale().toString(arrows.longer))
-                                              : tr("Arrows in the pattern: where its outlines go"));
+    m_arrowsSaid->setText(
+        arrows.arrows.empty() ? QString()
+        : arrows.longer > 1
+            ? tr("Arrows in the pattern: %1 times as long as the way").arg(QLocale().toString(arrows.longer))
+            : tr("Arrows in the pattern: where its outlines go"));
     m_pattern.showArrows(std::move(arrows));
 }
 

@@ -84,7 +84,7 @@ private:
     bool m_runs = false;
     Design m_start; ///< of what is sought or was found
     std::optional<FitFound> m_found;
-    std::optional<Gesture> m_gesture;    ///< while changes are shown
+    std::optional<Gesture> m_gesture;     ///< while changes are shown
     LatestJob<FitWanted, FitFound> m_job; ///< last: it uses the others
 };
 

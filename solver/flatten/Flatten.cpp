@@ -20,7 +20,7 @@ using Mat23 = Eigen::Matrix<double, 2, 3>;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
-constexpr double splinter = 0.02;   // of the mean area: what cuts have left of a triangle says nothing
+constexpr double splinter = 0.02;           // of the mean area: what cuts have left of a triangle says nothing
 constexpr double mostStrain = 0.5;          // as in the sheet's local step
 
 /// A triangle of the form in its own plane.

@@ -18,8 +18,8 @@ struct LinedTriangles {
     Message problem;                    ///< why no lines can be cut; the rest is empty then
 };
 
-/// `triangles` are oriented alike, and each place is one point. A line that ends a little before a border or another
-/// line goes on to there. Source: CGAL's corefinement of the form with a ribbon across it along each line.
+/// `triangles` are oriented alike, and each place is one point. A line that ends a little before a border or
+/// another line goes on to there. Source: CGAL's corefinement of the form with a ribbon across it along each line.
 LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                         const std::vector<int>& part, const std::vector<FormLine>& lines,
                         const std::stop_token& stop);

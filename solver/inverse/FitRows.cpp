@@ -1,12 +1,11 @@
 #include "FitRows.h"
 
 #include "ArcLength.h"
+#include "CoverStrains.h"
 #include "ScanMeasure.h"
-#include "TriangleStrain.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bolster {
 
@@ -172,51 +171,17 @@ void FitRows::keep(const WarmCover& cover)
     m_kept = targetOf(mesh);
 }
 
-/// visit(excess, strain, area): how far each of three strains is over its limit, all as shares.
-template <class Visit>
-void FitRows::eachStrain(const WarmCover& cover, const std::vector<Vec3>& places, const Visit& visit) const
-{
-    const SurfaceTopology& topology = *cover.mesh().topology;
-    for (const SurfaceTopology::PatchRange& range : topology.patches) {
-        const auto* patch = m_design.find<Patch>(range.patch);
-        if (!patch || !isMeant(range.patch))
-            continue;
-        const auto* fabric = m_design.find<Fabric>(patch->fabric);
-        StretchLimits limits = fabric ? fabric->limits : StretchLimits{};
-        if (m_goals.limit)
-            limits = {*m_goals.limit, *m_goals.limit, *m_goals.limit};
-        const double grain = patch->grain * std::numbers::pi / 180;
-        for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
-            std::array<Vec2, 3> rest;
-            std::array<Vec3, 3> place;
-            for (std::size_t k = 0; k < 3; ++k) {
-                rest[k] = topology.pattern[topology.triangles[t][k]];
-                place[k] = places[topology.triangles[t][k]];
-            }
-            const GrainStrain strain = grainStrain(rest, place, grain);
-            const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
-            visit(std::array{strain.along, strain.across, strain.shear},
-                  std::array{limits.along / 100, limits.across / 100, limits.shear / 100},
-                  0.5 * std::abs(u.x() * v.y() - u.y() * v.x()));
-        }
-    }
-}
-
 void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
 {
-    const std::size_t first = rows.size();
-    std::vector<double> areas;
-    double all = 0;
-    eachStrain(cover, places, [&](const auto& strains, const auto& limits, double area) {
-        all += area;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double over = std::max(0.0, std::abs(strains[k]) - belowLimit * limits[k]);
-            rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, strains[k]));
-            areas.push_back(area);
+    const CoverStrains found =
+        coverStrains(*cover.mesh().topology, places, m_design, m_goals.limit, m_goals.patches);
+    const double all = found.areas.sum();
+    for (Eigen::Index t = 0; t < found.areas.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const double over = std::max(0.0, std::abs(found.strains(k, t)) - belowLimit * found.limits(k, t));
+            rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, found.strains(k, t)) *
+                           std::sqrt(found.areas[t] / all));
         }
-    });
-    for (std::size_t k = 0; k < areas.size(); ++k)
-        rows[first + k] *= std::sqrt(areas[k] / all);
 }
 
 std::vector<double> FitRows::lengthDifferences(const Design& design) const
@@ -281,17 +246,12 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
     }
     if (!m_kept.empty())
         figures.shapeRms = measureScan(*surface, m_kept.place, m_kept.index, pool).figures.rms;
-    double all = 0, over = 0, squares = 0;
-    eachStrain(cover, places, [&](const auto& strains, const auto& limits, double area) {
-        bool isOver = false;
-        for (std::size_t k = 0; k < 3; ++k)
-            isOver = isOver || std::abs(strains[k]) > limits[k];
-        all += area;
-        over += isOver ? area : 0;
-        squares += area * (strains[0] * strains[0] + strains[1] * strains[1]) / 2;
-    });
-    figures.overLimit = all > 0 ? over / all : 0;
-    figures.strainRms = all > 0 ? std::sqrt(squares / all) : 0;
+    const CoverStrains found =
+        coverStrains(*cover.mesh().topology, places, m_design, m_goals.limit, m_goals.patches);
+    figures.overLimit = bolster::overLimit(found).area;
+    if (const double all = found.areas.sum(); all > 0)
+        figures.strainRms =
+            std::sqrt(found.strains.topRows(2).colwise().squaredNorm().dot(found.areas) / (2 * all));
     const std::vector<double> now = lengthDifferences(design);
     for (std::size_t k = 0; k < now.size() && k < m_wanted.size(); ++k)
         figures.sewnMost = std::max(figures.sewnMost, std::abs(now[k] - m_wanted[k].difference));

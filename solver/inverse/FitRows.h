@@ -41,8 +41,6 @@ private:
     void addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
     void addPattern(const Design& design, std::vector<double>& rows) const;
     std::vector<double> lengthDifferences(const Design& design) const;
-    template <class Visit>
-    void eachStrain(const WarmCover& cover, const std::vector<Vec3>& places, const Visit& visit) const;
 
     FitGoals m_goals;
     FitLocks m_locks;

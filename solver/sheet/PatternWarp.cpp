@@ -32,7 +32,7 @@ double distortionOf(const std::array<std::uint32_t, 3>& triangle, const std::vec
     from << before[b] - before[a], before[c] - before[a];
     to << after[b] - after[a], after[c] - after[a];
     if (from == to)
-        return 1; // exactly, whatever is lost by rounding below
+        return 1;                                                // exactly, whatever is lost by rounding below
     const double growth = to.determinant() / from.determinant(); // s1 s2 of the singular values
     if (!(growth > 0))
         return std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 // How often the right cause is named first: causes are injected one after the other into pieces whose scans have
 // noise and holes. Usage: bolster_cause_figures DESIGN [COUNT [EDGE_MM [BUILT_MM]]]
-// EDGE_MM: of the triangles of the covers that explain, BUILT_MM: of those that are scanned; 0: the design's.
+// EDGE_MM: of the triangles of the covers that explain, BUILT_MM: of those that are scanned; 0: the design's. When
+// they are not the same the scan of a sound piece, with noise and holes of its own, is there, too.
 #include "BuiltScan.h"
 #include "DesignFile.h"
 
@@ -49,6 +50,8 @@ int main(int argc, char** argv)
     const Design design = withoutTwins(opened.design);
     WarmCover cover({design, opened.files}, {.edgeLength = argc > 4 ? std::atof(argv[4]) : order.edgeLength});
     const SurfaceMeshPtr sound = cover.surface();
+    const FitTarget soundScan =
+        argc > 4 ? test::scanOf(*sound, 5, 1, 4U * static_cast<unsigned>(count)) : FitTarget{};
     std::map<Cause::Kind, Count> counts;
     Count all;
     for (unsigned seed = 0; all.tried < count && seed < 4U * static_cast<unsigned>(count); ++seed) {
@@ -61,7 +64,7 @@ int main(int argc, char** argv)
         }
         const SurfaceMeshPtr built = cover.surface();
         const double change = changeOf(*sound, *built);
-        const Explanations found = finder.explain(test::scanOf(*built, 5, 1, seed));
+        const Explanations found = finder.explain(test::scanOf(*built, 5, 1, seed), soundScan);
         const bool right = test::isFound(found, truth.cause);
         const bool exactly = right && found.ranked.front().cause == truth.cause;
         const Explanation& first = found.ranked.front();

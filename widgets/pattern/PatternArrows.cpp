@@ -13,10 +13,10 @@ namespace bolster {
 
 namespace {
 
-constexpr double leastWay = 0.05;     // mm: less than anybody can cut
-constexpr double headLength = 7;      // pixels
-constexpr double headSlope = 0.4;     // half of its width
-constexpr double shownOutline = 1.2;  // pixels
+constexpr double leastWay = 0.05;    // mm: less than anybody can cut
+constexpr double headLength = 7;     // pixels
+constexpr double headSlope = 0.4;    // half of its width
+constexpr double shownOutline = 1.2; // pixels
 constexpr std::array factors{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
 
 } // namespace

@@ -24,11 +24,13 @@ and one side of a seam sewn shifted.
 Options:
   --scan FILE           points or mesh of the piece (OBJ, PLY, E57 ...), where it lies in
                         the design; without this the scan of the design
+  --sound FILE          the same of a piece that is as it should be: where that lies
+                        elsewhere than the cover no cause is looked for
   --edge MM             edges of the triangles (the design's); longer ones are faster
   --solve N             causes whose covers are solved, after all have been looked at by
                         derivatives (5)
-  --unit mm|cm|m|in|ft  what the numbers in FILE are (mm)
-  --up y|z              what points up in FILE (z)
+  --unit mm|cm|m|in|ft  what the numbers in files are (mm)
+  --up y|z              what points up in files (z)
   --threads N           use N threads (0: as many as the machine has)
   --report FILE.json    all causes, ranked
 
@@ -42,10 +44,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array explainRules = {OptionRule{"--scan", true},  OptionRule{"--edge", true},
-                                     OptionRule{"--solve", true}, OptionRule{"--unit", true},
-                                     OptionRule{"--up", true},    OptionRule{"--threads", true},
-                                     OptionRule{"--report", true}};
+constexpr std::array explainRules = {OptionRule{"--scan", true},    OptionRule{"--sound", true},
+                                     OptionRule{"--edge", true},    OptionRule{"--solve", true},
+                                     OptionRule{"--unit", true},    OptionRule{"--up", true},
+                                     OptionRule{"--threads", true}, OptionRule{"--report", true}};
 constexpr std::size_t printedCauses = 5;
 constexpr std::size_t printedAlike = 3;
 
@@ -148,6 +150,9 @@ int explain(std::span<const std::string> words)
     const FitTarget scan = arguments.has("--scan")
                                ? targetIn(arguments.path("--scan"), arguments, interrupt.token())
                                : scanOf(opened, "--scan");
+    FitTarget sound;
+    if (arguments.has("--sound"))
+        sound = targetIn(arguments.path("--sound"), arguments, interrupt.token());
     std::optional<CauseFinder> finder;
     Explanations found;
     {
@@ -158,7 +163,7 @@ int explain(std::span<const std::string> words)
             interrupt.token());
         if (finder->nominal()) {
             line.say("causes");
-            found = finder->explain(scan, interrupt.token());
+            found = finder->explain(scan, sound, interrupt.token());
         }
     }
     if (interrupt.token().stop_requested())

@@ -21,6 +21,7 @@ constexpr double sameField = 0.95;  // cosine
 struct Measured {
     std::vector<Eigen::Index> vertices;
     Eigen::VectorXd scale; ///< of rows: all of them stand for as many as there are independent places
+    Eigen::VectorXd sound; ///< rows of a sound piece: what the cover is wrong by without any cause
     double places = 0;
     double covered = 0; ///< share of the area
 
@@ -153,7 +154,7 @@ private:
     void take(Candidate& candidate, const Eigen::VectorXd& tried, const SurfaceMesh& cover) const
     {
         const Eigen::VectorXd& field = m_evidence.columns().field;
-        Eigen::VectorXd remains = m_measured.rowsOf(fieldOf(cover, m_scan).outside);
+        Eigen::VectorXd remains = m_measured.rowsOf(fieldOf(cover, m_scan).outside) - m_measured.sound;
         for (Eigen::Index k = 0; k < remains.size(); ++k) // the scan may not show all that it showed before
             if (std::isnan(remains[k]))
                 remains[k] = field[k] - candidate.fit.reached[k];
@@ -253,14 +254,21 @@ CauseFinder::CauseFinder(const SolveInput& input, const ExplainOrder& order,
         m_linear = m_sweep.linear(progress, stop);
 }
 
-Explanations CauseFinder::explain(const FitTarget& scan, const std::stop_token& stop)
+Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound, const std::stop_token& stop)
 {
     Explanations result;
     const ScanField field = fieldOf(*nominal(), scan);
-    const Measured measured = measuredBy(*nominal(), field.outside);
+    std::vector<double> expected(field.outside.size(), 0);
+    if (!sound.empty())
+        expected = fieldOf(*nominal(), sound).outside;
+    std::vector<double> outside = field.outside;
+    for (std::size_t v = 0; v < outside.size(); ++v)
+        outside[v] -= expected[v];
+    Measured measured = measuredBy(*nominal(), outside);
     if (measured.vertices.empty())
         return result;
-    CauseColumns columns{.field = measured.rowsOf(field.outside), .up = {}, .down = {}, .first = m_first};
+    measured.sound = measured.rowsOf(expected);
+    CauseColumns columns{.field = measured.rowsOf(outside), .up = {}, .down = {}, .first = m_first};
     columns.up.resize(columns.field.size(), m_first.back());
     columns.down.resize(columns.field.size(), m_first.back());
     for (Eigen::Index k = 0; k < m_first.back(); ++k) {

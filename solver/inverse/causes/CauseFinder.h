@@ -43,8 +43,9 @@ public:
     const std::vector<Cause>& causes() const { return m_causes; }
     SurfaceMeshPtr nominal() const { return m_sweep.nominal(); }
     /// Bayes for one cause at a time: normal priors, white noise whose size is what all causes together leave. The
-    /// best are solved and step once more from there. Nothing is ranked when the scan shows nothing of the cover.
-    Explanations explain(const FitTarget& scan, const std::stop_token& stop = {});
+    /// best are solved and step once more from there. `sound`: the scan of a piece that is as it should be, when
+    /// there is one: what covers get wrong is no cause. Nothing is ranked when the scan shows nothing of the cover.
+    Explanations explain(const FitTarget& scan, const FitTarget& sound = {}, const std::stop_token& stop = {});
 
 private:
     std::vector<Cause> m_causes;

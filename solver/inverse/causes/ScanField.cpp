@@ -73,11 +73,7 @@ private:
     void measure(const Vec3& point, const Vec3& nearest, Seen& seen) const
     {
         const auto [a, b, c] = corners(static_cast<std::uint32_t>(seen.triangle));
-        Vec3 outward = Vec3::Zero();
-        for (const std::uint32_t v : m_cover.topology->triangles[static_cast<std::size_t>(seen.triangle)])
-            outward += m_cover.normals[v].cast<double>();
-        Vec3 normal = (b - a).cross(c - a).normalized();
-        normal *= normal.dot(outward) < 0 ? -1 : 1;
+        const Vec3 normal = (b - a).cross(c - a).normalized();
         seen.outside = normal.dot(point - nearest);
         if (std::abs(seen.outside) < leastAcross * (point - nearest).norm())
             seen.triangle = -1;

@@ -1,0 +1,178 @@
+#include "DesignJson.h"
+#include "Interrupt.h"
+#include "Output.h"
+#include "ProgressLine.h"
+#include "Reliefs.h"
+#include "Solving.h"
+#include "Subcommands.h"
+#include "WholeFile.h"
+
+#include <QDir>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace bolster::cli {
+
+const char* const relieveHelp = R"(Usage: bolster relieve DESIGN [options]
+
+Where cloth is strained, or pressed together, by more than it may be: proposes
+changes of the pattern, says what each gains and costs, and solves the best ones.
+Edges are let out or taken in, made longer or shorter than what they are sewn to,
+seams moved, corners let out, darts cut, seams made smooth or sharp.
+
+Options:
+  --limit PERCENT       of strain, instead of the limits of the fabrics
+  --max-change MM       how far edges may move (6)
+  --solve N             how many are solved, each at another place (5)
+  --edge MM             edges of the triangles of predictions (the design's); longer
+                        ones are faster and less sure
+  --out-dir DIR         writes the solved ones as designs: relief-1.json ...; never
+                        replaces a file
+  --threads N           use N threads (0: as many as the machine has)
+  --report FILE.json    all of them
+
+Exit code:
+  0  done, even when there is nothing to relieve
+  1  an output cannot be written or is there already, interrupted, or no cover
+  2  the design cannot be used, or wrong usage
+)";
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array relieveRules = {OptionRule{"--limit", true},   OptionRule{"--max-change", true},
+                                     OptionRule{"--solve", true},   OptionRule{"--edge", true},
+                                     OptionRule{"--out-dir", true}, OptionRule{"--threads", true},
+                                     OptionRule{"--report", true}};
+
+ReliefOrder reliefOrder(const Arguments& arguments)
+{
+    ReliefOrder order;
+    if (arguments.has("--limit"))
+        order.limit = arguments.number("--limit", 8, 0.01, 100);
+    order.most = arguments.number("--max-change", order.most, 0.1, 100);
+    order.solved = arguments.integer("--solve", order.solved, 1, 1000);
+    order.edgeLength = arguments.number("--edge", 0, 0.1, 1000);
+    order.threads = arguments.integer("--threads", 0, 0, 1024);
+    return order;
+}
+
+std::string percentText(double share)
+{
+    return numberText(100 * share, 3) + " %";
+}
+
+std::string gainText(double gain)
+{
+    return percentText(std::abs(gain)) + (gain < 0 ? " more" : " less");
+}
+
+void printReliefs(const ReliefList& list)
+{
+    printResult(percentText(list.now.area) + " of the cover is over the limit");
+    if (list.reliefs.empty())
+        printResult(list.now.area > 0 ? "no change relieves it" : "there is nothing to relieve");
+    int place = 0;
+    for (const Relief& relief : list.reliefs) {
+        if (!relief.solved)
+            break;
+        printResult(std::to_string(++place) + ". " + relief.text.english() + ": " +
+                    gainText(relief.solved->energy) + " excess (" + gainText(relief.predicted) + " predicted), " +
+                    gainText(relief.solved->area) + " area over the limit; sewn " + numberText(relief.sewn, 3) +
+                    " mm, outlines " + numberText(relief.moved, 3) + " mm");
+    }
+}
+
+Json reliefReport(const ReliefList& list)
+{
+    Json reliefs = Json::array();
+    for (const Relief& relief : list.reliefs) {
+        Json one{{"text", relief.text.english()},
+                 {"kind", wordOf(relief.kind)},
+                 {"element", number(relief.element)},
+                 {"predicted_gain", relief.predicted}};
+        one["solved_gain"] =
+            relief.solved ? Json{{"energy", relief.solved->energy}, {"area", relief.solved->area}} : Json();
+        one["sewn_mm"] = relief.sewn;
+        one["moved_mm"] = relief.moved;
+        reliefs.push_back(std::move(one));
+    }
+    return {{"over_limit", {{"energy", list.now.energy}, {"area", list.now.area}}},
+            {"reliefs", std::move(reliefs)}};
+}
+
+QString reliefFile(const Arguments& arguments, int place)
+{
+    return arguments.path("--out-dir") + QString("/relief-%1.json").arg(place);
+}
+
+int relieveFailed(const std::string& problem)
+{
+    printError("error: " + problem);
+    return otherFailure;
+}
+
+int writeReliefs(const Arguments& arguments, const Design& design, const ReliefList& list)
+{
+    std::vector<std::pair<QString, std::string>> files;
+    if (const QString folder = arguments.path("--out-dir"); !folder.isEmpty()) {
+        if (!QDir().mkpath(folder))
+            return relieveFailed("the folder \"" + folder.toStdString() + "\" cannot be made");
+        for (const Relief& relief : list.reliefs)
+            if (relief.solved)
+                files.emplace_back(reliefFile(arguments, static_cast<int>(files.size()) + 1),
+                                   writeDesign(design.with(relief.edit)));
+    }
+    if (const QString report = arguments.path("--report"); !report.isEmpty())
+        files.emplace_back(report, reliefReport(list).dump(1) + "\n");
+    for (const auto& [file, text] : files) {
+        if (const Message problem = replaceWholeFile(file, text); !problem.empty())
+            return relieveFailed(problem.english());
+        printResult("wrote " + file.toStdString());
+    }
+    return done;
+}
+
+} // namespace
+
+int relieve(std::span<const std::string> words)
+{
+    const Arguments arguments(words, relieveRules);
+    const QString path = arguments.onlyFile("DESIGN");
+    const ReliefOrder order = reliefOrder(arguments);
+    for (int place = 1; arguments.has("--out-dir") && place <= order.solved; ++place)
+        if (const QString file = reliefFile(arguments, place); QFile::exists(file))
+            return relieveFailed("\"" + file.toStdString() + "\" is there already; choose another folder");
+    Interrupt interrupt;
+    const OpenedDesign opened = openedShown(path);
+    if (hasErrors(opened.problems)) {
+        for (const Problem& problem : opened.problems)
+            if (problem.severity == Severity::Error)
+                printError("error: " + problem.english());
+        return badInput;
+    }
+    ReliefList list;
+    {
+        ProgressLine line("solving");
+        list = proposeReliefs(
+            {opened.design, opened.files}, order,
+            [&](double share) {
+                line.say(share < 1 ? "predicting, " + numberText(std::floor(100 * share), 3) + " %"
+                                   : "solving the best");
+            },
+            interrupt.token());
+    }
+    if (interrupt.token().stop_requested())
+        return relieveFailed("interrupted");
+    if (!list.problem.empty())
+        return relieveFailed(list.problem.english());
+    printReliefs(list);
+    interrupt.beginWriting();
+    return writeReliefs(arguments, opened.design, list);
+}
+
+} // namespace bolster::cli

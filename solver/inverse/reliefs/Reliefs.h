@@ -1,0 +1,58 @@
+// Where the cloth is strained over its limit: changes of the pattern that would relieve it, ranked.
+#pragma once
+
+#include "CoverStrains.h"
+#include "SolveInput.h"
+
+#include <functional>
+#include <stop_token>
+
+namespace bolster {
+
+struct ReliefOrder {
+    std::optional<double> limit; ///< %, instead of the fabrics' limits; cloth that is pressed together counts, too
+    double most = 6;             ///< mm by which edges may move at most
+    int solved = 5;              ///< of how many covers are solved, each at another place
+    double edgeLength = 0;       ///< of the triangles of predictions, mm; 0: the design's
+    int threads = 0;             ///< 0: as many as the machine has; results do not depend on it
+};
+
+/// How much less there is over the limit, as a share of what is now.
+struct ReliefGain {
+    double energy = 0; ///< mean square of what is over the limit
+    double area = 0;   ///< where something is over the limit
+};
+
+struct Relief {
+    enum class Kind { Ease, LetOut, MoveSeam, Corner, Dart, Continuity };
+
+    Kind kind = Kind::LetOut;
+    ElementId element{}; ///< seam, fixation seam or patch
+    Message text;        ///< what it does, as an order
+    Edit edit;
+    double predicted = 0;                  ///< gain of energy
+    std::optional<ReliefGain> solved = {}; ///< on the design's triangles; nothing: not solved, or no cover at rest
+    double sewn = 0;  ///< mm: seam that there is more of, or how far the sides of seams become unequal
+    double moved = 0; ///< mm: how far outlines change at most
+};
+
+struct ReliefList {
+    Message problem;             ///< why there is no cover; empty when there is one
+    OverLimit now;               ///< on the design's triangles
+    std::vector<Relief> reliefs; ///< the solved ones first, then by what is predicted
+};
+
+/// "ease", "let-out", "move-seam", "corner", "dart", "continuity"
+const char* wordOf(Relief::Kind kind);
+
+/// What gains nothing by prediction is left out. Predicted is from differences of covers at rest, strain by strain
+/// to the second order, at the best amount within the bound; of darts and continuity, which have no amount, from a
+/// cover. Deterministic. When stopped it is not complete.
+ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
+                          const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
+
+/// Solves the cover with that relief, from the start that depends on the design alone.
+void solveRelief(const SolveInput& input, const std::optional<double>& limit, const OverLimit& now, int threads,
+                 Relief& relief, const std::stop_token& stop = {});
+
+} // namespace bolster
