@@ -5683,6 +5683,14 @@
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>Naht von %1 und %2 scharf lassen</translation>
     </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
+        <translation>Der Ordner „%1“ enthält andere Dateien: Stichproben brauchen einen eigenen.</translation>
+    </message>
+    <message>
+        <source>%1 has no length: it is not cut along it</source>
+        <translation>%1 hat keine Länge: Dort wird nicht geschnitten</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -8377,6 +8385,10 @@
             <numerusform>%n Teile sind irgendwo stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Make it without what is left out</source>
+        <translation>Ohne das Weggelassene &amp;machen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9234,6 +9246,10 @@
     <message>
         <source>The design has changed meanwhile: find the changes again.</source>
         <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie die Änderungen neu.</translation>
+    </message>
+    <message>
+        <source>With all of the changes:</source>
+        <translation>Mit allen Änderungen:</translation>
     </message>
 </context>
 <context>

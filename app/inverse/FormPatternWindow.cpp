@@ -291,6 +291,8 @@ void FormPatternWindow::take(FormMade made)
     m_upToDate = newest;
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, limitOf(fabric()));
+    const bool whole = std::ranges::count(m_made->pattern.patches, noElement) == 0;
+    m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
     m_make->setEnabled(this->made() && m_made->problem.empty() && !m_made->pattern.patches.empty());
     say();
 }
@@ -314,10 +316,11 @@ void FormPatternWindow::say()
     }
     for (const FormSeam& seam : m_made->pattern.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
-    lines << tr("%n pieces", nullptr, static_cast<int>(m_made->flat.size())) + ", " +
-                 tr("%n seams, whose sides differ by %1 at most", nullptr,
-                    static_cast<int>(m_made->pattern.seams.size()))
-                     .arg(lengthText(widest, 2));
+    lines << tr("%n pieces", nullptr, static_cast<int>(m_made->flat.size()));
+    if (!m_made->pattern.seams.empty())
+        lines.back() += ", " + tr("%n seams, whose sides differ by %1 at most", nullptr,
+                                  static_cast<int>(m_made->pattern.seams.size()))
+                                   .arg(lengthText(widest, 2));
     if (!where.empty())
         lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
     if (over > 0)

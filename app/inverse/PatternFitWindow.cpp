@@ -81,6 +81,7 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
     fillForms();
     setRunning(false);
     connect(&m_document, &Document::changed, this, &PatternFitWindow::documentChanged);
+    connect(&m_document, &Document::gestureEnded, this, &PatternFitWindow::previewEnded);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
 }
 
@@ -369,7 +370,7 @@ void PatternFitWindow::take(FitFound found)
                                                                    : tr("No change makes it better."));
         return;
     }
-    QStringList lines;
+    QStringList lines{tr("With all of the changes:")};
     if (m_lies->isChecked())
         lines << tr("From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
                      .arg(lengthText(result.before.distanceRms, 2), lengthText(result.after.distanceRms, 2),
@@ -425,6 +426,7 @@ void PatternFitWindow::preview()
     if (!m_found)
         return;
     m_shareSaid->setText(percentText(m_share->value() / 100.0));
+    m_take->setEnabled(m_share->value() > 0);
     if (!m_gesture || !m_gesture->active())
         m_gesture.emplace(m_document);
     const Design changed = changedDesign();
@@ -447,6 +449,20 @@ void PatternFitWindow::commit()
     m_found.reset(); // what the commit makes of the design is no surprise
     m_gesture->commit();
     forget(tr("Taken. Undo takes it back."));
+}
+
+/// Undo, Escape or another gesture has taken back what is shown.
+void PatternFitWindow::previewEnded()
+{
+    if (!m_found || !m_gesture || m_gesture->active())
+        return;
+    m_gesture.reset();
+    const QSignalBlocker quiet(m_share);
+    m_share->setValue(0);
+    m_shareSaid->setText(percentText(0));
+    m_arrowsSaid->clear();
+    m_pattern.showArrows({});
+    m_take->setEnabled(false);
 }
 
 /// What was found is no longer of use.

@@ -55,6 +55,7 @@ private:
     void fillPatches();
     Design changedDesign() const;
     void preview();
+    void previewEnded();
     void commit();
     void documentChanged();
 

@@ -153,12 +153,13 @@ public:
     {
         turnUpwards();
         FlatPiece flat;
-        double sum = 0, area = 0;
+        double sum = 0, area = 0, turnedArea = 0;
         for (const Facet& facet : m_facets) {
             const Mat2 map = jacobian(facet);
             const double turned = map.determinant();
             const bool counts = facet.area > splinter * m_meanArea;
             flat.turnedOver += counts && turned <= 0;
+            turnedArea += turned <= 0 ? facet.area : 0;
             flat.area += facet.area * turned;
             const Eigen::Vector2d sizes = map.jacobiSvd().singularValues();
             area += facet.area;
@@ -177,6 +178,7 @@ public:
         }
         flat.strainRms = area > 0 ? std::sqrt(sum / area) : 0;
         flat.strainP99 = percentile99(flat.strain);
+        flat.turnedShare = area > 0 ? turnedArea / area : 0;
         for (Eigen::Index v = 0; v < m_count; ++v)
             flat.at.emplace_back(m_at.row(v).transpose());
         return flat;

@@ -21,6 +21,7 @@ struct FlatPiece {
     Vec3 strainedAt = Vec3::Zero(); ///< where that is, on the form
     std::vector<float> strain;      ///< of each triangle: that size; 1
     int turnedOver = 0;             ///< triangles
+    double turnedShare = 0;         ///< of the area
     double area = 0;                ///< mm^2
 };
 

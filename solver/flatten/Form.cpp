@@ -396,7 +396,8 @@ private:
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
             const std::string name = nameOf(p);
             const int times = ++used[name];
-            m_form.pieces[p].name = times == 1 ? name : name + " " + std::to_string(times);
+            const bool numbered = times > 1 || (m_welded.names[m_parts[p]].empty() && m_form.pieces.size() > 1);
+            m_form.pieces[p].name = numbered ? name + " " + std::to_string(times) : name;
         }
         if (m_opened > 0)
             m_form.notes.push_back(

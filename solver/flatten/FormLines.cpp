@@ -25,9 +25,10 @@ using FormEdge = CgalMesh::Edge_index;
 using Face = CgalMesh::Face_index;
 using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<CgalMesh>>>;
 
-constexpr double spacing = 4;      // mm between places on a line
-constexpr double ribbon = 1.5;     // mm that a ribbon stands out on either side
-constexpr double farthest = 25;    // mm: what lies farther from the form is no line on it
+constexpr double spacing = 4;                 // mm between places on a line
+constexpr double ribbon = 1.5;                // mm that a ribbon stands out on either side
+constexpr double shortest = 1, longest = 1e5; // mm, of a line
+constexpr double farthest = 25;               // mm: what lies farther from the form is no line on it
 constexpr double reach = 10;       // mm: a line that ends so near to a border or another line goes on to it
 constexpr double overshoot = 1;    // mm, so that they surely cross
 constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
@@ -77,7 +78,7 @@ std::vector<Vec3> evenly(const FormLine& line)
         corners.push_back(corners.front());
     for (std::size_t k = 1; k < corners.size(); ++k) {
         const Vec3 from = corners[k - 1], way = corners[k] - from;
-        const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
+        const int steps = static_cast<int>(std::ceil(way.norm() / spacing)); // none where two points are one
         for (int i = 1; i <= steps; ++i)
             places.emplace_back(from + way * i / steps);
     }
@@ -115,6 +116,14 @@ public:
 
     void cut(const FormLine& line, const std::vector<FormLine>& all)
     {
+        double length = 0;
+        for (std::size_t k = 1; k < line.points.size(); ++k)
+            length += (line.points[k] - line.points[k - 1]).norm();
+        if (!(length > shortest && length < longest)) {
+            m_notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 has no length: it is not cut along it"), {line.name}});
+            return;
+        }
         if (const double away = distanceOf(line); away > farthest) {
             m_notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "%1 is %2 mm away from the form: it is not cut along it"),

@@ -19,9 +19,11 @@ constexpr double sharpTurn = 35;       // degrees: an outline or a border that t
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
 constexpr double rowsWide = 1.5;       // times as wide as high is what lies in rows
-constexpr double openCut = 0.6;        // mm between the sides of a cut
-constexpr double openWithin = 20;      // mm from its end on
-constexpr double sameShape = 0.5;      // mm: from each other's mirror image are twins
+constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles beside a cut turn over, and mean nothing
+constexpr double openCut = 0.6;      // mm between the sides of a cut
+constexpr double touching = 0.01;    // mm
+constexpr double openWithin = 20;    // mm from its end on
+constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
 template <class Point>
 double turnAt(const Point& before, const Point& at, const Point& after)
@@ -121,6 +123,26 @@ private:
     }
     const Vec2& flatPoint(std::size_t p, std::size_t k) const { return m_flat[p].at[piece(p).border[k]]; }
 
+    /// The same of rings that were cut open and needed none to lie flat.
+    void openRing(std::size_t p)
+    {
+        const FormPiece& there = piece(p);
+        for (std::size_t k = 0; k < there.border.size(); ++k) {
+            const EdgeMate& mate = there.mates[k];
+            if (mate.piece != static_cast<int>(p))
+                continue;
+            const int here = there.border[k],
+                      other = there.border[there.after(static_cast<std::size_t>(mate.edge))];
+            Vec2 &a = m_flat[p].at[here], &b = m_flat[p].at[other];
+            const Vec2 way = flatPoint(p, there.after(k)) - a;
+            if (here == other || (a - b).norm() > touching || !(way.norm() > 0))
+                continue;
+            const Vec2 inside = Vec2(-way.y(), way.x()).normalized(); // of what runs counter-clockwise
+            a += openCut / 2 * inside;
+            b -= openCut / 2 * inside;
+        }
+    }
+
     /// A cut that ends inside a piece which needs none opens nowhere, and an outline must not touch itself: its
     /// sides are drawn apart a little, less towards its end.
     void openCuts(std::size_t p)
@@ -172,6 +194,7 @@ private:
     {
         m_result.patches.push_back(noElement);
         openCuts(p);
+        openRing(p);
         const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
         std::vector<BSpline2> curves;
         std::vector<std::size_t> rows; // which curve each row begins with
@@ -190,7 +213,7 @@ private:
         patch.outline = edits::joined(curves, &starts);
         for (const std::size_t curve : rows)
             m_starts[p].push_back(starts[curve]);
-        if (m_flat[p].turnedOver > 0 || outlineProblem(patch.outline)) {
+        if (m_flat[p].turnedShare > mostTurned || outlineProblem(patch.outline)) {
             m_result.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
                                               "Divide it, or cut it in where it bulges most"),

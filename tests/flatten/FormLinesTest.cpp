@@ -150,6 +150,34 @@ TEST(FormLines, FarFromTheFormChangeNothing)
     EXPECT_NE(form.notes.front().english().find("away from the form"), std::string::npos);
 }
 
+TEST(FormLines, WithoutLengthChangeNothing)
+{
+    const Form form =
+        cutAlongLines(halfPipe(radius, height), {{"Point", {{0, -radius, 90}, {0, -radius, 90}}, false},
+                                                 {"Huge", {{0, -radius, 90}, {1e300, 0, 0}}, false}});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 1U);
+    EXPECT_EQ(form.notes.size(), 2U);
+}
+
+/// A ring that is flat already opens nowhere where it is cut open.
+TEST(FormRings, ThatAreFlatBecomePatches)
+{
+    const TriangleMesh sheet = gridMesh(20, 20, [](double u, double v) { return Vec3(200 * u, 200 * v, 0); });
+    TriangleMesh ring = sheet;
+    std::erase_if(ring.triangles, [&](const auto& t) {
+        const Vec3 middle = (ring.points[t[0]] + ring.points[t[1]] + ring.points[t[2]]) / 3;
+        return (middle - Vec3(100, 100, 0)).cwiseAbs().maxCoeff() < 40;
+    });
+    ring.parts = {{"Ring", 0, static_cast<std::uint32_t>(ring.triangles.size())}};
+    const Form form = cutForm(ring, {});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 1U);
+    expectSound(form);
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    EXPECT_EQ(made.seams.size(), 1U);
+}
+
 TEST(FormTwins, AreWhereTheFormIsSymmetric)
 {
     const TriangleMesh both = sideBySide(

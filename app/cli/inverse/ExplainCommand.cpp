@@ -1,4 +1,5 @@
 #include "CauseFinder.h"
+#include "DistinctFiles.h"
 #include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
@@ -135,6 +136,7 @@ int explain(std::span<const std::string> words)
 {
     const Arguments arguments(words, explainRules);
     const QString path = arguments.onlyFile("DESIGN");
+    expectDistinct({path, arguments.path("--scan")}, {arguments.path("--report")});
     ExplainOrder order;
     order.edgeLength = arguments.number("--edge", 0, 0.1, 1000);
     order.solved = arguments.integer("--solve", order.solved, 0, 1000);

@@ -1,4 +1,5 @@
 #include "DesignJson.h"
+#include "DistinctFiles.h"
 #include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
@@ -237,6 +238,10 @@ int fitPattern(std::span<const std::string> words)
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
+    QStringList inputs{path};
+    for (const std::string& goal : arguments.values("--to"))
+        inputs << exactText(goal);
+    expectDistinct(inputs, {out, report});
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
     if (hasErrors(opened.problems)) {

@@ -1,4 +1,5 @@
 #include "DesignJson.h"
+#include "DistinctFiles.h"
 #include "FormPattern.h"
 #include "Interrupt.h"
 #include "LengthUnits.h"
@@ -128,6 +129,10 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
 {
     for (std::size_t p = 0; p < flat.size(); ++p) {
         std::string line = form.pieces[p].name;
+        if (made.patches[p] == noElement) {
+            printResult(line + ": left out");
+            continue;
+        }
         line.append(": ").append(numberText(flat[p].area / 1e6, 3)).append(" m2, strain ");
         line.append(numberText(100 * flat[p].strainRms, 2)).append(" % rms, ");
         line.append(numberText(100 * flat[p].strainMost, 2)).append(" % at most");
@@ -149,6 +154,7 @@ int flattenForm(std::span<const std::string> words)
     const QString out = arguments.path("--out"), report = arguments.path("--report");
     if (out.isEmpty())
         throw UsageError("where to? --out DESIGN.json");
+    expectDistinct({surface, arguments.path("--along")}, {out, report});
     FormCuts cuts = cutsOf(arguments);
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);
@@ -162,6 +168,9 @@ int flattenForm(std::span<const std::string> words)
         const OpenedDesign lines = openedShown(arguments.path("--along"));
         if (!lines.readable)
             throw UsageError("--along: " + arguments.path("--along").toStdString() + " cannot be read");
+        for (const Problem& problem : lines.problems)
+            if (problem.severity == Severity::Error && problem.element != settingsId)
+                printError("warning: --along: " + problem.english());
         cuts.lines = linesOf(lines.design);
     }
     const ImportedMesh imported = importMesh(surface, {interrupt.token(), {}, {}});
@@ -184,6 +193,10 @@ int flattenForm(std::span<const std::string> words)
     const FormPattern made = formPattern(form, flat, order);
     for (const Message& note : made.notes)
         printError("warning: " + note.english());
+    if (std::ranges::count(made.patches, noElement) == std::ssize(made.patches)) {
+        printError("error: none of it can be laid flat, so there is no pattern");
+        return badInput;
+    }
     printPieces(form, flat, made);
     interrupt.beginWriting();
     for (const auto& [path, text] :

@@ -1,4 +1,5 @@
 #include "DesignJson.h"
+#include "DistinctFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "ProgressLine.h"
@@ -143,6 +144,7 @@ int relieve(std::span<const std::string> words)
 {
     const Arguments arguments(words, relieveRules);
     const QString path = arguments.onlyFile("DESIGN");
+    expectDistinct({path}, {arguments.path("--report")});
     const ReliefOrder order = reliefOrder(arguments);
     for (int place = 1; arguments.has("--out-dir") && place <= order.solved; ++place)
         if (const QString file = reliefFile(arguments, place); QFile::exists(file))

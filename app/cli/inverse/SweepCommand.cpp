@@ -1,4 +1,5 @@
 #include "DesignJson.h"
+#include "DistinctFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "ProgressLine.h"
@@ -299,6 +300,10 @@ int sweep(std::span<const std::string> words)
     const QString path = arguments.onlyFile("DESIGN");
     if (arguments.path("--spec").isEmpty() || arguments.path("--out").isEmpty() || !arguments.has("--samples"))
         throw UsageError("--spec FILE, --samples N and --out DIR are needed");
+    QStringList outputs;
+    for (const char* name : {"report.json", "samples.csv", "p95.ply"})
+        outputs << arguments.path("--out") + "/" + name;
+    expectDistinct({path, arguments.path("--spec")}, outputs);
     const int samples = arguments.integer("--samples", 0, 0, 1'000'000);
     const int linear = arguments.integer("--linear", 10'000, 100, 1'000'000);
     const Share share = shareOf(arguments);

@@ -164,6 +164,10 @@ SweepFolder::SweepFolder(QString path, std::string asked, int samples)
 
 Message SweepFolder::open()
 {
+    const QDir folder(m_path);
+    if (folder.exists() && !folder.isEmpty() && !folder.exists("asked"))
+        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" holds other files: a sweep needs one of its own."),
+                {m_path.toStdString()}};
     if (!QDir().mkpath(m_path + "/parts"))
         return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" cannot be made."), {m_path.toStdString()}};
     const QString name = file("asked");
