@@ -2679,7 +2679,7 @@
 <context>
     <name>InverseCommands</name>
     <message>
-        <source>From a f&amp;orm …</source>
+        <source>From a for&amp;m …</source>
         <translation>Aus einer F&amp;orm …</translation>
     </message>
     <message>
@@ -2687,7 +2687,7 @@
         <translation>Zerlegt ein Gestell, ein Netz oder den Bezug in Teile, legt sie flach und macht daraus den Schnitt</translation>
     </message>
     <message>
-        <source>&amp;Fit to a goal …</source>
+        <source>F&amp;it to a goal …</source>
         <translation>An ein &amp;Ziel anpassen …</translation>
     </message>
     <message>

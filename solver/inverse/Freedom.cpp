@@ -2,6 +2,7 @@
 
 #include "EditBuilder.h"
 #include "FollowEdits.h"
+#include "MeetingCurves.h"
 #include "NumberField.h"
 #include "SlippedOutline.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double smoothTurn = 0.9; // cosine: an outline that turns more at a point has a corner there
 constexpr double edgeOn = 0.3;     // cosine: edges that meet flatter than that have no corner to be prolonged to
-constexpr double meeting = 0.01;   // mm: curves that are so near to each other meet
 
 const char* const axisNames[] = {"x", "y", "z"};
 
@@ -169,9 +169,15 @@ public:
             patch.outline = patch.outline.withPoints(points);
             set(id, makeElement(std::move(patch)));
         }
-        for (const auto& [id, points] : shiftedCurves()) {
-            FixationCurve curve = *moved.find<FixationCurve>(id);
-            curve.curve = curve.curve.withPoints(points);
+        for (const auto& [id, shift] : m_shifts) {
+            const auto* found = moved.find<FixationCurve>(id);
+            if (!found)
+                continue;
+            FixationCurve curve = *found;
+            std::vector<Vec3> points = curve.curve.points();
+            for (Vec3& point : points)
+                point += shift;
+            curve.curve = curve.curve.withPoints(std::move(points));
             set(id, makeElement(std::move(curve)));
         }
         for (const auto& [place, value] : m_numbers) {
@@ -182,7 +188,8 @@ public:
             if (now)
                 set(place.first, withNumber(*element, place.second, *now + value));
         }
-        return m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+        moved = m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+        return m_shifts.empty() ? moved : withMeetingCurves(m_design, moved);
     }
 
 private:
@@ -190,27 +197,6 @@ private:
     {
         const auto* patch = m_design.find<Patch>(id);
         return patch ? &m_outlines.emplace(id, patch->outline.points()).first->second : nullptr;
-    }
-
-    /// With the ends of others that lie on them: one point of the cover may be held by both.
-    std::map<ElementId, std::vector<Vec3>> shiftedCurves() const
-    {
-        std::map<ElementId, std::vector<Vec3>> shifted;
-        for (const auto& [id, shift] : m_shifts) {
-            const auto* moving = m_design.find<FixationCurve>(id);
-            if (!moving)
-                continue;
-            m_design.each<FixationCurve>([&, mover = id, by = shift](ElementId other, const FixationCurve& curve) {
-                const std::vector<Vec3>& before = curve.curve.points();
-                std::vector<Vec3>& points = shifted.emplace(other, before).first->second;
-                for (std::size_t k = 0; k < points.size(); ++k) {
-                    const bool isEnd = !curve.curve.closed() && (k == 0 || k + 1 == points.size());
-                    if (other == mover || (isEnd && moving->curve.closest(before[k]).distance < meeting))
-                        points[k] += by;
-                }
-            });
-        }
-        return shifted;
     }
 
     const Design& m_design;

@@ -17,7 +17,7 @@ struct Freedom {
         OutlinePoint, ///< control point `index` of patch `element` along `direction` in its plane, mm
         Offset, ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
         Size,   ///< patch `element` about its middle, %
-        CurvePlace, ///< fixation curve `element` as a whole along `axis`, with the ends of others on it, mm
+        CurvePlace, ///< fixation curve `element` along `axis`, mm; where others meet it, half as far
         Slip,       ///< material of patch `element` from `from` to `to` along its outline, mm (SlippedOutline)
         Number      ///< `field` of `element`, in its own unit
     };

@@ -24,14 +24,14 @@ InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Sel
     };
     commands.add(
         {.id = "pattern.from-form",
-         .text = tr("From a f&orm \u2026"),
+         .text = tr("From a for&m \u2026"),
          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_O},
          .tip = tr("Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of "
                    "them"),
          .places = {"pattern/6"},
          .does = [this] { fromForm(); }});
     commands.add({.id = "pattern.fit",
-                  .text = tr("&Fit to a goal \u2026"),
+                  .text = tr("F&it to a goal \u2026"),
                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_G},
                   .tip = tr("Changes the pattern until the cover lies on a scan, or is strained less"),
                   .places = {"pattern/6"},
