@@ -2679,8 +2679,8 @@
 <context>
     <name>InverseCommands</name>
     <message>
-        <source>From a for&amp;m …</source>
-        <translation>Aus einer F&amp;orm …</translation>
+        <source>From a form …</source>
+        <translation>Aus einer Form …</translation>
     </message>
     <message>
         <source>Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of them</source>

@@ -24,7 +24,7 @@ InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Sel
     };
     commands.add(
         {.id = "pattern.from-form",
-         .text = tr("From a for&m \u2026"),
+         .text = tr("From a form \u2026"),
          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_O},
          .tip = tr("Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of "
                    "them"),
