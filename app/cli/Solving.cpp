@@ -131,4 +131,11 @@ void printFindings(const SolveResult& result)
         printError("error: " + result.reason.english());
 }
 
+bool printErrors(const Problems& problems)
+{
+    for (const Problem& problem : withSeverity(problems, Severity::Error))
+        printError("error: " + problem.english());
+    return hasErrors(problems);
+}
+
 } // namespace bolster::cli

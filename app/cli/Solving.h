@@ -21,6 +21,9 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
 /// Of a solve that is given up in the middle.
 SolveResult interruptedResult();
 
+/// On stderr, for commands that take no design with errors. Whether there were any.
+bool printErrors(const Problems& problems);
+
 /// On stderr: errors, what was left out, warnings, and why there is no cover.
 void printFindings(const SolveResult& result);
 

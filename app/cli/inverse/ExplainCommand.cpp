@@ -136,19 +136,15 @@ int explain(std::span<const std::string> words)
 {
     const Arguments arguments(words, explainRules);
     const QString path = arguments.onlyFile("DESIGN");
-    expectDistinct({path, arguments.path("--scan")}, {arguments.path("--report")});
+    expectDistinct({path, arguments.path("--scan"), arguments.path("--sound")}, {arguments.path("--report")});
     ExplainOrder order;
     order.edgeLength = arguments.number("--edge", 0, 0.1, 1000);
     order.solved = arguments.integer("--solve", order.solved, 0, 1000);
     order.threads = arguments.integer("--threads", 0, 0, 1024);
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
-    if (hasErrors(opened.problems)) {
-        for (const Problem& problem : opened.problems)
-            if (problem.severity == Severity::Error)
-                printError("error: " + problem.english());
+    if (printErrors(opened.problems))
         return badInput;
-    }
     const FitTarget scan = arguments.has("--scan")
                                ? targetIn(arguments.path("--scan"), arguments, interrupt.token())
                                : scanOf(opened, "--scan");

@@ -244,12 +244,8 @@ int fitPattern(std::span<const std::string> words)
     expectDistinct(inputs, {out, report});
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
-    if (hasErrors(opened.problems)) {
-        for (const Problem& problem : opened.problems)
-            if (problem.severity == Severity::Error)
-                printError("error: " + problem.english());
+    if (printErrors(opened.problems))
         return badInput;
-    }
     const Asked asked = askedOf(arguments, opened, interrupt.token());
     FitResult result;
     {

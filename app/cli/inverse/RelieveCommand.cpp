@@ -151,12 +151,8 @@ int relieve(std::span<const std::string> words)
             return relieveFailed("\"" + file.toStdString() + "\" is there already; choose another folder");
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
-    if (hasErrors(opened.problems)) {
-        for (const Problem& problem : opened.problems)
-            if (problem.severity == Severity::Error)
-                printError("error: " + problem.english());
+    if (printErrors(opened.problems))
         return badInput;
-    }
     ReliefList list;
     {
         ProgressLine line("solving");

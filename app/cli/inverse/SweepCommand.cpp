@@ -309,12 +309,8 @@ int sweep(std::span<const std::string> words)
     const Share share = shareOf(arguments);
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
-    if (hasErrors(opened.problems)) {
-        for (const Problem& problem : opened.problems)
-            if (problem.severity == Severity::Error)
-                printError("error: " + problem.english());
+    if (printErrors(opened.problems))
         return badInput;
-    }
     const SweepSpec spec = readSweepSpec(arguments.path("--spec"), opened.design);
     SweepFolder folder(arguments.path("--out"),
                        writeDesign(opened.design) + meshesAsText(opened.files) +
