@@ -1,5 +1,6 @@
 #include "FormPatternWindow.h"
 
+#include "Ask.h"
 #include "CopyPaste.h"
 #include "DesignJson.h"
 #include "DesignSession.h"
@@ -14,7 +15,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -207,13 +207,14 @@ void FormPatternWindow::fillLines()
 
 void FormPatternWindow::chooseFile()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("The form to be covered"), m_session.path(),
-                                                      tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step "
-                                                         "*.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    m_file = file;
-    m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
+    askForFile(this, tr("The form to be covered"), m_session.path(),
+               tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;"
+                  "All files (*)"),
+               [this](const QString& file) {
+                   m_file = file;
+                   m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
+                   formChosen();
+               });
 }
 
 void FormPatternWindow::formChosen()

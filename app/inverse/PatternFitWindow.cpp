@@ -1,5 +1,6 @@
 #include "PatternFitWindow.h"
 
+#include "Ask.h"
 #include "DesignSession.h"
 #include "ElementText.h"
 #include "NumberBox.h"
@@ -11,7 +12,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -253,15 +253,14 @@ void PatternFitWindow::fillForms()
 
 void PatternFitWindow::chooseFile()
 {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("The form that the cover shall lie on"), m_session.path(),
-        tr("Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    m_file = file;
-    const QSignalBlocker quiet(m_form);
-    m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
-    m_lies->setChecked(true);
+    askForFile(this, tr("The form that the cover shall lie on"), m_session.path(),
+               tr("Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)"),
+               [this](const QString& file) {
+                   m_file = file;
+                   const QSignalBlocker quiet(m_form);
+                   m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
+                   m_lies->setChecked(true);
+               });
 }
 
 FitOrder PatternFitWindow::order() const

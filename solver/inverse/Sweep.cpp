@@ -9,6 +9,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace bolster {
 
@@ -59,6 +60,10 @@ Eigen::VectorXf spreadsOf(const Tolerances& tolerances, std::uint64_t number)
 } // namespace
 
 struct Sweep::Team {
+    explicit Team(CoverTeam team)
+        : covers(std::move(team))
+    {}
+
     CoverTeam covers;
 
     /// Per vertex of the nominal cover.
