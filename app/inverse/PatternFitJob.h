@@ -1,21 +1,10 @@
 // A fit of the pattern beside the window.
 #pragma once
 
+#include "FitForm.h"
 #include "PatternFit.h"
-#include "PointCloud.h"
-
-#include <QString>
-
-#include <memory>
 
 namespace bolster {
-
-/// What the cover shall lie on: one of these, or nothing.
-struct FitForm {
-    std::optional<Scan> scan;
-    std::shared_ptr<const PointCloud> cloud;
-    QString file; ///< a mesh or points, mm
-};
 
 struct FitWanted {
     int number = 0;

@@ -1,10 +1,11 @@
 #include "PatternFitWindow.h"
 
-#include "Ask.h"
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "FormChoice.h"
 #include "NumberBox.h"
 #include "PatternView.h"
+#include "RunRow.h"
 #include "SelectionEdits.h"
 #include "Translated.h"
 #include "Units.h"
@@ -12,13 +13,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -66,7 +65,7 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
                       QMetaObject::invokeMethod(
                           this,
                           [this, number, share, round] {
-                              if (number == m_asked && m_runs)
+                              if (number == m_asked && m_run->running())
                                   showProgress(share, round);
                           },
                           Qt::QueuedConnection);
@@ -78,7 +77,8 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
     setWindowTitle(tr("Fit the pattern to a goal"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    fillForms();
+    m_lies->setChecked(m_form->hasScans());
+    m_strained->setChecked(!m_form->hasScans());
     setRunning(false);
     connect(&m_document, &Document::changed, this, &PatternFitWindow::documentChanged);
     connect(&m_document, &Document::gestureEnded, this, &PatternFitWindow::previewEnded);
@@ -94,18 +94,13 @@ PatternFitWindow::~PatternFitWindow()
 
 void PatternFitWindow::build()
 {
-    m_find = new QPushButton(this);
-    m_find->setDefault(true);
-    connect(m_find, &QPushButton::clicked, this, [this] { m_runs ? stop() : find(); });
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 100);
+    m_run = new RunRow(tr("&Find changes"), this);
+    connect(m_run, &RunRow::started, this, &PatternFitWindow::find);
+    connect(m_run, &RunRow::stopped, this, &PatternFitWindow::stop);
     m_said = new QLabel(this);
     m_said->setWordWrap(true);
     m_said->setMinimumHeight(2 * m_said->fontMetrics().lineSpacing());
     m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    auto* run = new QHBoxLayout;
-    run->addWidget(m_progress, 1);
-    run->addWidget(m_find);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_take = buttons->addButton(tr("&Take the changes"), QDialogButtonBox::AcceptRole);
     connect(m_take, &QPushButton::clicked, this, &PatternFitWindow::commit);
@@ -115,12 +110,12 @@ void PatternFitWindow::build()
         group->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
         layout->addWidget(group);
     }
-    layout->addLayout(run);
+    layout->addWidget(m_run);
     layout->addWidget(m_said);
     layout->addWidget(buildOutcome(), 1);
     layout->addStretch();
     layout->addWidget(buttons);
-    resize(440, 720);
+    resize(460, 800);
     if (const QWidget* window = parentWidget()) // over the cover's margin: pattern and cover are what one looks at
         move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
 }
@@ -129,13 +124,9 @@ QWidget* PatternFitWindow::buildGoals()
 {
     auto* box = new QGroupBox(tr("Goal"), this);
     m_lies = new QCheckBox(tr("The cover &lies on"), box);
-    m_form = new QComboBox(box);
+    m_form = new FormChoice(m_session, tr("The form that the cover shall lie on"), {}, box);
     m_form->setAccessibleName(tr("Form"));
-    m_form->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    connect(m_form, &QComboBox::activated, this, [this] {
-        if (m_form->currentData().toString() == "file")
-            chooseFile();
-    });
+    connect(m_form, &FormChoice::fileChosen, this, [this] { m_lies->setChecked(true); });
     m_strained = new QCheckBox(tr("&Strain is at most"), box);
     m_strained->setToolTip(tr("Along the grain, across it, and in shear; the cover stays where it is"));
     m_limit = new NumberBox({tr(" %"), 2, 0.1, 100, 0.5}, box);
@@ -151,7 +142,41 @@ QWidget* PatternFitWindow::buildGoals()
     second->addStretch(1);
     rows->addLayout(first);
     rows->addLayout(second);
+    addSelectedGoals(*rows, *box);
     return box;
+}
+
+/// Goals of what is selected when the search begins.
+void PatternFitWindow::addSelectedGoals(QVBoxLayout& rows, QWidget& box)
+{
+    const auto add = [&](const QString& text, const QString& tip, QWidget* more) {
+        auto* check = new QCheckBox(text, &box);
+        check->setToolTip(tip);
+        auto* row = new QHBoxLayout;
+        row->addWidget(check);
+        if (more) {
+            row->addWidget(more, 1);
+            more->setEnabled(false);
+            connect(check, &QCheckBox::toggled, more, &QWidget::setEnabled);
+        }
+        rows.addLayout(row);
+        return check;
+    };
+    m_smooth = add(tr("&No folds in selected patches"),
+                   tr("No cloth of them is pressed together; none selected: all"), nullptr);
+    m_curve = new QComboBox(&box);
+    m_curve->setAccessibleName(tr("Curve"));
+    m_curve->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_document.design().each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
+        m_curve->addItem(QString::fromStdString(curve.name), number(id));
+    });
+    m_along = add(tr("The selected seam r&uns along"),
+                  tr("A curve drawn on the frame or the form; it need hold nothing"), m_curve);
+    m_along->setEnabled(m_curve->count() > 0);
+    m_size = new NumberBox({tr(" %"), 1, 10, 1000, 1}, &box);
+    m_size->setAccessibleName(tr("Share of the area"));
+    m_size->display(95);
+    m_sized = add(tr("Selected patches &keep of their area"), tr("Less than 100 %: they become smaller"), m_size);
 }
 
 QWidget* PatternFitWindow::buildFreedoms()
@@ -240,29 +265,6 @@ QWidget* PatternFitWindow::buildOutcome()
     return m_outcome;
 }
 
-void PatternFitWindow::fillForms()
-{
-    m_form->clear();
-    m_document.design().each<Scan>(
-        [&](ElementId id, const Scan& scan) { m_form->addItem(QString::fromStdString(scan.name), number(id)); });
-    const bool scans = m_form->count() > 0;
-    m_form->addItem(m_file.isEmpty() ? tr("A file \u2026") : QFileInfo(m_file).fileName(), "file");
-    m_lies->setChecked(scans);
-    m_strained->setChecked(!scans);
-}
-
-void PatternFitWindow::chooseFile()
-{
-    askForFile(this, tr("The form that the cover shall lie on"), m_session.path(),
-               tr("Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)"),
-               [this](const QString& file) {
-                   m_file = file;
-                   const QSignalBlocker quiet(m_form);
-                   m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
-                   m_lies->setChecked(true);
-               });
-}
-
 FitOrder PatternFitWindow::order() const
 {
     const Design& design = m_document.committed();
@@ -287,26 +289,35 @@ FitOrder PatternFitWindow::order() const
     order.goals.strain = m_strained->isChecked();
     order.goals.limit = m_limit->value();
     order.goals.keepShape = m_lies->isChecked() ? 0 : keptShape;
+    addSelectedGoals(order.goals);
     return order;
 }
 
-FitForm PatternFitWindow::form() const
+void PatternFitWindow::addSelectedGoals(FitGoals& goals) const
 {
-    FitForm form;
-    if (!m_lies->isChecked())
-        return form;
-    if (m_form->currentData().toString() == "file") {
-        form.file = m_file;
-        return form;
+    const Design& design = m_document.committed();
+    const std::vector<ElementId> patches = selectedOf<Patch>(design, m_selection.elements());
+    if (m_smooth->isChecked()) {
+        goals.smooth.insert(patches.begin(), patches.end());
+        if (patches.empty())
+            design.each<Patch>([&](ElementId id, const Patch&) { goals.smooth.insert(id); });
     }
-    const auto id = static_cast<ElementId>(m_form->currentData().toUInt());
-    const auto* scan = m_document.committed().find<Scan>(id);
-    const auto cloud = m_session.files().clouds.find(id);
-    if (scan && cloud != m_session.files().clouds.end()) {
-        form.scan = *scan;
-        form.cloud = cloud->second;
-    }
-    return form;
+    if (const auto* curve = design.find<FixationCurve>(static_cast<ElementId>(m_curve->currentData().toUInt()));
+        m_along->isChecked() && curve)
+        for (const ElementId seam : selectedOf<Seam>(design, m_selection.elements()))
+            goals.seams.push_back({seam, curve->curve});
+    if (m_sized->isChecked())
+        for (const ElementId patch : patches)
+            goals.sizes.push_back({patch, m_size->value() / 100});
+}
+
+QString PatternFitWindow::missingGoal(const FitGoals& goals) const
+{
+    if (m_along->isChecked() && goals.seams.empty())
+        return tr("Select the seam that shall run along the curve.");
+    if (m_sized->isChecked() && goals.sizes.empty())
+        return tr("Select the patches that shall become larger or smaller.");
+    return !goals.any() && !m_lies->isChecked() ? tr("Choose a goal.") : QString();
 }
 
 void PatternFitWindow::find()
@@ -315,21 +326,20 @@ void PatternFitWindow::find()
         return;
     m_document.cancelGesture();
     forget({});
-    if (m_lies->isChecked() && m_form->currentData().toString() == "file" && m_file.isEmpty())
-        chooseFile();
-    const FitForm on = form();
-    if (m_lies->isChecked() && !on.cloud && on.file.isEmpty()) {
+    const FitForm on = m_lies->isChecked() ? m_form->form() : FitForm{};
+    if (m_lies->isChecked() && (m_form->asksForFile() || on.empty())) {
         m_said->setText(tr("Choose the scan or the file that the cover shall lie on."));
         return;
     }
-    if (!m_lies->isChecked() && !m_strained->isChecked()) {
-        m_said->setText(tr("Choose a goal."));
+    FitOrder wanted = order();
+    if (const QString missing = missingGoal(wanted.goals); !missing.isEmpty()) {
+        m_said->setText(missing);
         return;
     }
     m_start = m_document.committed();
     setRunning(true);
     m_said->setText(tr("Solving the cover \u2026"));
-    m_job.request({++m_asked, {m_start, m_session.files()}, on, order()}, true);
+    m_job.request({++m_asked, {m_start, m_session.files()}, on, std::move(wanted)}, true);
 }
 
 void PatternFitWindow::stop()
@@ -342,20 +352,20 @@ void PatternFitWindow::stop()
 
 void PatternFitWindow::setRunning(bool running)
 {
-    m_runs = running;
-    m_find->setText(running ? tr("&Stop") : tr("&Find changes"));
-    m_progress->setVisible(running);
-    m_progress->setValue(0);
+    m_run->setRunning(running);
     m_outcome->setVisible(m_found.has_value());
     m_take->setEnabled(m_found.has_value());
 }
 
 void PatternFitWindow::showProgress(double share, const FitRound& round)
 {
-    m_progress->setValue(static_cast<int>(100 * share));
-    m_said->setText(m_lies->isChecked()
-                        ? tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2))
-                        : tr("%1 of the cover is over the limit").arg(percentText(round.figures.overLimit)));
+    m_run->setShare(share);
+    if (m_lies->isChecked())
+        m_said->setText(tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2)));
+    else if (m_strained->isChecked())
+        m_said->setText(tr("%1 of the cover is over the limit").arg(percentText(round.figures.overLimit)));
+    else
+        m_said->setText(tr("Changing the pattern \u2026"));
 }
 
 void PatternFitWindow::take(FitFound found)
@@ -377,6 +387,15 @@ void PatternFitWindow::take(FitFound found)
     if (m_strained->isChecked())
         lines << tr("Over the limit: %1 of the cover before, %2 now")
                      .arg(percentText(result.before.overLimit), percentText(result.after.overLimit));
+    if (m_smooth->isChecked())
+        lines << tr("Pressed together: %1 before, %2 now")
+                     .arg(percentText(result.before.pressed), percentText(result.after.pressed));
+    if (m_along->isChecked())
+        lines << tr("From the curve: %1 before, %2 now (rms)")
+                     .arg(lengthText(result.before.seamRms, 2), lengthText(result.after.seamRms, 2));
+    if (m_sized->isChecked())
+        lines << tr("Off the area that is wanted: %1 before, %2 now")
+                     .arg(percentText(result.before.sizeMost), percentText(result.after.sizeMost));
     lines << tr("The cover moves by %1 (rms).").arg(lengthText(result.after.shapeRms, 2));
     if (result.jumped)
         lines << tr("On the way a fold came or went: look at the cover before you take it.");
@@ -470,16 +489,16 @@ void PatternFitWindow::forget(const QString& why)
     m_found.reset();
     m_gesture.reset();
     m_pattern.showArrows({});
-    setRunning(m_runs);
+    setRunning(m_run->running());
     m_said->setText(why);
 }
 
 /// Who works on meanwhile has another design.
 void PatternFitWindow::documentChanged()
 {
-    if (!m_found && !m_runs)
+    if (!m_found && !m_run->running())
         return;
-    if (m_runs && !(m_document.committed() == m_start)) {
+    if (m_run->running() && !(m_document.committed() == m_start)) {
         stop();
         m_said->setText(tr("The design has changed meanwhile: find the changes again."));
     } else if (m_found && !(m_document.committed() == m_start)) {

@@ -14,7 +14,6 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSlider;
 class QTreeWidget;
@@ -23,8 +22,10 @@ class QVBoxLayout;
 namespace bolster {
 
 class DesignSession;
+class FormChoice;
 class NumberBox;
 class PatternView;
+class RunRow;
 
 class PatternFitWindow : public QDialog {
     Q_OBJECT
@@ -39,16 +40,17 @@ public:
 private:
     void build();
     QWidget* buildGoals();
+    void addSelectedGoals(QVBoxLayout& rows, QWidget& box);
     QWidget* buildFreedoms();
     QWidget* buildLocks();
     QWidget* buildOutcome();
-    void fillForms();
-    void chooseFile();
     void find();
     void stop();
     void setRunning(bool running);
     FitOrder order() const;
-    FitForm form() const;
+    void addSelectedGoals(FitGoals& goals) const;
+    /// What is missing for the goals that are ticked; empty when nothing is.
+    QString missingGoal(const FitGoals& goals) const;
     void showProgress(double share, const FitRound& round);
     void take(FitFound found);
     void forget(const QString& why);
@@ -65,16 +67,18 @@ private:
     PatternView& m_pattern;
 
     QCheckBox* m_lies = nullptr;
-    QComboBox* m_form = nullptr;
-    QString m_file;
+    FormChoice* m_form = nullptr;
     QCheckBox* m_strained = nullptr;
     NumberBox* m_limit = nullptr;
+    QCheckBox *m_smooth = nullptr, *m_along = nullptr, *m_sized = nullptr;
+    QComboBox* m_curve = nullptr;
+    NumberBox* m_size = nullptr;
     QCheckBox *m_outlines = nullptr, *m_foam = nullptr, *m_fixations = nullptr, *m_pressure = nullptr;
     QCheckBox* m_selectedOnly = nullptr;
     QCheckBox *m_lengths = nullptr, *m_straight = nullptr, *m_corners = nullptr;
     NumberBox* m_most = nullptr;
-    QPushButton *m_find = nullptr, *m_take = nullptr;
-    QProgressBar* m_progress = nullptr;
+    RunRow* m_run = nullptr;
+    QPushButton* m_take = nullptr;
     QLabel* m_said = nullptr;
     QWidget* m_outcome = nullptr;
     QTreeWidget* m_patches = nullptr;
@@ -82,7 +86,6 @@ private:
     QLabel *m_shareSaid = nullptr, *m_arrowsSaid = nullptr;
 
     int m_asked = 0;
-    bool m_runs = false;
     Design m_start; ///< of what is sought or was found
     std::optional<FitFound> m_found;
     std::optional<Gesture> m_gesture;     ///< while changes are shown

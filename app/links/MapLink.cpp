@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bolster {
 
@@ -55,6 +56,14 @@ const SurfaceTopology::PatchRange* rangeOf(const SurfaceTopology& topology, std:
         return vertex >= range.firstVertex && vertex < range.firstVertex + range.vertexCount;
     });
     return found == topology.patches.end() ? nullptr : &*found;
+}
+
+double valueAt(const ShownMap& map, const PatternPlace& place)
+{
+    double value = 0;
+    for (Eigen::Index k = 0; k < 3; ++k)
+        value += place.weights[k] * static_cast<double>(map.values[place.corners[static_cast<std::size_t>(k)]]);
+    return value;
 }
 
 } // namespace
@@ -124,11 +133,46 @@ void MapLink::setSurface(SurfaceMeshPtr surface)
     m_surface = std::move(surface);
     if (!m_surface && m_map)
         forget();
+    if (m_guest && (!m_surface || !m_guestHere || !m_guestHere->fits(*m_surface->topology))) {
+        carryGuest();
+        emit measured();
+    }
     request();
+}
+
+void MapLink::setGuest(ShownMapPtr map)
+{
+    if (map == m_guest)
+        return;
+    m_guest = std::move(map);
+    carryGuest();
+    emit measured();
+}
+
+void MapLink::carryGuest()
+{
+    m_guestHere.reset();
+    if (!m_guest || !m_surface)
+        return;
+    const SurfaceTopology &from = *m_guest->topology, &to = *m_surface->topology;
+    auto map = std::make_shared<ShownMap>(*m_guest);
+    map->topology = m_surface->topology;
+    map->values.assign(to.pattern.size(), std::numeric_limits<float>::quiet_NaN());
+    for (const SurfaceTopology::PatchRange& range : to.patches) {
+        const auto known = std::ranges::find(from.patches, range.patch, &SurfaceTopology::PatchRange::patch);
+        if (known == from.patches.end() || known->triangleCount == 0)
+            continue;
+        const PatternLocator locator(from, *known);
+        for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
+            map->values[v] = static_cast<float>(valueAt(*m_guest, locator.locate(to.pattern[v])));
+    }
+    m_guestHere = std::move(map);
 }
 
 void MapLink::setKind(std::optional<CoverMap::Kind> kind)
 {
+    m_guest.reset();
+    m_guestHere.reset();
     if (kind == m_kind)
         return;
     m_kind = kind;
@@ -207,10 +251,7 @@ QString MapLink::reading(const ShownMap& map, const CoverPoint& place)
     const auto range = std::ranges::find(topology.patches, place.patch, &SurfaceTopology::PatchRange::patch);
     if (range == topology.patches.end() || range->triangleCount == 0)
         return {};
-    const PatternPlace found = PatternLocator(topology, *range).locate(place.outline);
-    double value = 0;
-    for (Eigen::Index k = 0; k < 3; ++k)
-        value += found.weights[k] * static_cast<double>(map.values[found.corners[static_cast<std::size_t>(k)]]);
+    const double value = valueAt(map, PatternLocator(topology, *range).locate(place.outline));
     return std::isfinite(value) ? tr("Here: %1").arg(figureText(value, map.unit)) : QString();
 }
 

@@ -22,9 +22,13 @@ public:
     /// Which one is wanted; nothing: none.
     void setKind(std::optional<CoverMap::Kind> kind);
     std::optional<CoverMap::Kind> kind() const { return m_kind; }
+    /// What somebody else knows of the cover, on triangles of his own, to be shown in place of any other map; null:
+    /// that again. Stays until it is taken back, or another kind is wanted.
+    void setGuest(ShownMapPtr map);
+    bool hasGuest() const { return m_guest != nullptr; }
 
     /// Null while nothing is measured.
-    const ShownMapPtr& map() const { return m_map; }
+    const ShownMapPtr& map() const { return m_guest ? m_guestHere : m_map; }
     /// Whether there will be a map soon.
     bool measuring() const { return m_kind && m_surface && !m_map; }
     struct Spot {
@@ -38,7 +42,7 @@ public:
     };
     static constexpr double apart = 60; ///< mm between spots, at least
     /// The worst first, measured by what is allowed; only of strains.
-    const std::vector<Spot>& spots() const { return m_spots; }
+    const std::vector<Spot>& spots() const { return m_guest ? m_noSpots : m_spots; }
     static bool hasSpots(CoverMap::Kind kind);
     /// A number of the map with its unit.
     QString figure(double value) const;
@@ -67,13 +71,16 @@ private:
 
     void request();
     void receive(const Result& result);
+    void carryGuest();
     void forget();
 
     DesignSession& m_session;
     SurfaceMeshPtr m_surface;
     std::optional<CoverMap::Kind> m_kind;
     ShownMapPtr m_map;
+    ShownMapPtr m_guest, m_guestHere; ///< and on the triangles that are shown
     std::vector<Spot> m_spots;
+    const std::vector<Spot> m_noSpots;
     LatestJob<Request, Result> m_job; ///< last: it uses the others
 };
 

@@ -1,13 +1,12 @@
 #include "Thumbnails.h"
 
 #include "Background.h"
+#include "CoverPicture.h"
 #include "CoverView.h"
 #include "DesignSession.h"
-#include "PreviewRenderer.h"
 #include "SolverLink.h"
 
 #include <QBuffer>
-#include <QImage>
 
 #include <chrono>
 #include <utility>
@@ -24,27 +23,13 @@ constexpr int pictureHeight = 144;
 constexpr std::size_t mostInMemory = 500;
 constexpr std::size_t mostWaiting = 50;
 
-Scene sceneOf(const SurfaceMeshPtr& surface, const Design& design)
-{
-    Scene scene;
-    scene.surface = surface;
-    scene.patches = patchLooks(design, design.settings().colourway);
-    return scene;
-}
-
 /// Without a background: the list in which it is shown is light or dark.
 QByteArray pngOf(const Scene& scene, const Camera& camera)
 {
-    PreviewOptions options;
-    options.width = pictureWidth;
-    options.height = pictureHeight;
-    options.transparent = true;
-    const PreviewImage drawn = renderPreview(scene, RayCamera(camera), options);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    const QImage image(drawn.rgba.data(), drawn.width, drawn.height, 4 * drawn.width, QImage::Format_RGBA8888);
-    return image.save(&buffer, "PNG") ? bytes : QByteArray();
+    return coverPicture(scene, camera, {pictureWidth, pictureHeight}).save(&buffer, "PNG") ? bytes : QByteArray();
 }
 
 } // namespace
@@ -90,10 +75,8 @@ void Thumbnails::make()
     const auto [node, version] = *m_waiting.rbegin();
     m_waiting.erase(node);
     m_drawing = true;
-    Camera camera = m_view.navigation().camera();
-    camera.size = {pictureWidth, pictureHeight};
-    camera.fit(version.surface->boundingBox());
-    inBackground<QByteArray>([scene = sceneOf(version.surface, version.design), camera] {
+    inBackground<QByteArray>([scene = coverScene(version.surface, version.design),
+                              camera = m_view.navigation().camera()] {
         return pngOf(scene, camera);
     }).then(this, [this, node = node, generation = m_generation](const QByteArray& png) {
         m_drawing = false;

@@ -137,7 +137,8 @@ void MainWindow::addDesignCommands(CoverAtRest& cover)
     addArea<CuttingCommands>(commands,
                              CuttingCommands::Parts{*m_cutting, *m_files, m_selection, *m_pattern, *m_docks});
     addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);
-    addArea<InverseCommands>(commands, *m_session, m_selection, *m_solver, *m_pattern, *this);
+    addArea<InverseCommands>(commands, InverseCommands::Parts{*m_session, m_selection, *m_solver, *m_maps,
+                                                              *m_pattern, *m_surface, *this});
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
                                           *m_solver, *m_pattern, *m_surface, *m_inspector, *m_docks, *this});

@@ -1,6 +1,7 @@
 #include "ScanMeasure.h"
 
 #include "ScanGhosts.h"
+#include "VertexAreas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +9,6 @@
 namespace bolster {
 
 namespace {
-
-/// A third of the triangles around each vertex, mm^2.
-std::vector<double> vertexAreas(const SurfaceMesh& surface)
-{
-    std::vector<double> areas(surface.positions.size(), 0);
-    for (const auto& triangle : surface.topology->triangles) {
-        const Vec3& a = surface.positions[triangle[0]];
-        const double area =
-            0.5 * (surface.positions[triangle[1]] - a).cross(surface.positions[triangle[2]] - a).norm();
-        for (const std::uint32_t v : triangle)
-            areas[v] += area / 3;
-    }
-    return areas;
-}
 
 ScanFigures figuresOf(const std::vector<float>& deviations, const std::vector<double>& areas)
 {
@@ -74,7 +61,7 @@ ScanDeviation measureScan(const SurfaceMesh& surface, const Scan& scan, std::sha
     for (std::size_t v = 0; v < points.size(); ++v)
         if (!std::isnan(result.ofVertex[v]))
             result.pairs.emplace_back(static_cast<std::uint32_t>(v), points[v]);
-    result.figures = figuresOf(result.ofVertex, vertexAreas(surface));
+    result.figures = figuresOf(result.ofVertex, vertexAreas(*surface.topology, surface.positions));
     result.figures.points = place.index().size();
     return result;
 }

@@ -1,6 +1,7 @@
 // What a pattern is to be changed for, what shall stay, and how far it is from there.
 #pragma once
 
+#include "BSpline.h"
 #include "ElementId.h"
 #include "ScanIndex.h"
 #include "TriangleMesh.h"
@@ -22,6 +23,18 @@ struct FitTarget {
 FitTarget targetOf(const TriangleMesh& mesh);
 FitTarget targetOf(const Scan& scan, const PointCloud& cloud);
 
+/// A seam that shall run along a curve, mm.
+struct SeamGoal {
+    ElementId seam{};
+    BSpline3 line;
+};
+
+/// A patch that shall be larger or smaller.
+struct SizeGoal {
+    ElementId patch{};
+    double share = 1; ///< of its area as the designer left it
+};
+
 struct FitGoals {
     FitTarget target;            ///< weight 1: what counts is the mean square distance, mm
     double targetWeight = 1;     ///
@@ -30,6 +43,11 @@ struct FitGoals {
     double strainWeight = 2;     ///< 1 % over the limit is as bad as 1 mm
     double keepShape = 0;        ///< weight of the distance from where the cover is now
     std::set<ElementId> patches; ///< that the target and the limits are about; none: all
+    std::set<ElementId> smooth;  ///< patches in which no cloth shall be pressed together, which makes folds
+    std::vector<SeamGoal> seams;
+    std::vector<SizeGoal> sizes;
+
+    bool any() const { return !target.empty() || strain || !smooth.empty() || !seams.empty() || !sizes.empty(); }
 };
 
 struct FitLocks {
@@ -46,6 +64,9 @@ struct FitFigures {
     double overLimit = 0;                    ///< share of the cover's area whose strain is over the limit
     double strainRms = 0;                    ///< 1
     double shapeRms = 0;                     ///< mm, from where the cover was
+    double pressed = 0;  ///< share of the area of what shall be smooth where cloth is pressed together
+    double seamRms = 0;  ///< mm: of the seams that have a curve to run along
+    double sizeMost = 0; ///< share of its area by which a patch is off the size that it shall have
     double sewnMost = 0; ///< mm: how far the difference of a seam's sides is from what is wanted
 };
 

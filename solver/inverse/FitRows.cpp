@@ -3,6 +3,7 @@
 #include "ArcLength.h"
 #include "CoverStrains.h"
 #include "ScanMeasure.h"
+#include "VertexAreas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +23,9 @@ constexpr double cornerWeight = 50;     // mm: of a radian
 constexpr double straightWithin = 0.05; // mm
 constexpr double farthest = 60;         // mm: what is farther from the target does not belong to it
 constexpr double mostPoints = 1e6;      // of a target
-
-std::vector<double> areasOf(const SewnMesh& mesh, const std::vector<Vec3>& places)
-{
-    std::vector<double> areas(places.size(), 0);
-    for (const auto& t : mesh.topology->triangles) {
-        const double area = 0.5 * (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]).norm();
-        for (const std::uint32_t v : t)
-            areas[v] += area / 3;
-    }
-    return areas;
-}
+constexpr double mostPressed = 1;       // %: of cloth that lies smooth
+constexpr double smoothWeight = 3;      // 1 % pressed together is as bad as so many mm
+constexpr double sizeWeight = 2;        // 1 % of a patch's width is as bad as so many mm
 
 std::vector<Vec3> vertexPlaces(const WarmCover& cover)
 {
@@ -88,6 +81,16 @@ double lengthOf(const Design& design, const Stretch& stretch)
     return ArcLength2(outline).between(stretch.from, end);
 }
 
+double pressedShare(const CoverStrains& strains)
+{
+    double pressed = 0;
+    for (Eigen::Index t = 0; t < strains.areas.size(); ++t)
+        if ((strains.strains.col(t).head<2>() + strains.limits.col(t).head<2>()).minCoeff() < 0)
+            pressed += strains.areas[t];
+    const double all = strains.areas.sum();
+    return all > 0 ? pressed / all : 0;
+}
+
 } // namespace
 
 FitTarget targetOf(const TriangleMesh& mesh)
@@ -119,6 +122,7 @@ FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& des
     : m_goals(goals)
     , m_locks(locks)
     , m_design(design)
+    , m_seams(goals.seams, design)
 {
     const std::vector<double> differences = lengthDifferences(design);
     std::size_t k = 0;
@@ -135,6 +139,7 @@ void FitRows::aim(const WarmCover& cover)
     addAims(cover, m_goals.target, m_goals.targetWeight, false);
     if (m_goals.keepShape > 0)
         addAims(cover, m_kept, m_goals.keepShape, true);
+    m_seams.aim(cover);
 }
 
 void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere)
@@ -144,7 +149,7 @@ void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double we
     const SurfaceMeshPtr surface = cover.surface();
     WorkerPool pool(0);
     const ScanDeviation deviation = measureScan(*surface, target.place, target.index, pool);
-    const std::vector<double> areas = areasOf(cover.mesh(), surface->positions);
+    const std::vector<double> areas = vertexAreas(*surface->topology, surface->positions);
     const std::size_t first = m_aims.size();
     double all = 0;
     for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
@@ -182,6 +187,31 @@ void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places,
             rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, found.strains(k, t)) *
                            std::sqrt(found.areas[t] / all));
         }
+}
+
+void FitRows::addSmooth(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
+{
+    const CoverStrains found = coverStrains(*cover.mesh().topology, places, m_design, mostPressed, m_goals.smooth);
+    const double all = found.areas.sum();
+    for (Eigen::Index t = 0; t < found.areas.size(); ++t)
+        for (int k = 0; k < 2; ++k) // along the grain and across it
+            rows.push_back(smoothWeight * mmOfStrain * std::min(0.0, found.strains(k, t) + found.limits(k, t)) *
+                           std::sqrt(found.areas[t] / all));
+}
+
+double FitRows::sizeOff(const Design& design, const SizeGoal& goal) const
+{
+    const auto *before = m_design.find<Patch>(goal.patch), *now = design.find<Patch>(goal.patch);
+    if (!before || !now)
+        return 0;
+    return now->outline.signedArea() / (goal.share * before->outline.signedArea()) - 1;
+}
+
+void FitRows::addSizes(const Design& design, std::vector<double>& rows) const
+{
+    for (const SizeGoal& goal : m_goals.sizes)
+        rows.push_back(sizeWeight * 100 / 2 *
+                       sizeOff(design, goal)); // the width is off by half of the area's share
 }
 
 std::vector<double> FitRows::lengthDifferences(const Design& design) const
@@ -228,6 +258,10 @@ Eigen::VectorXd FitRows::rows(const WarmCover& cover, const Design& design) cons
         rows.push_back(aim.weight * (aim.normal.dot(places[aim.vertex]) - aim.height));
     if (m_goals.strain)
         addStrain(cover, places, rows);
+    if (!m_goals.smooth.empty())
+        addSmooth(cover, places, rows);
+    m_seams.add(places, rows);
+    addSizes(design, rows);
     addPattern(design, rows);
     return Eigen::Map<Eigen::VectorXd>(rows.data(), std::ssize(rows));
 }
@@ -252,6 +286,13 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
     if (const double all = found.areas.sum(); all > 0)
         figures.strainRms =
             std::sqrt(found.strains.topRows(2).colwise().squaredNorm().dot(found.areas) / (2 * all));
+    if (!m_goals.smooth.empty())
+        figures.pressed =
+            pressedShare(coverStrains(*cover.mesh().topology, places, m_design, mostPressed, m_goals.smooth));
+    if (!m_seams.empty())
+        figures.seamRms = m_seams.rms(cover);
+    for (const SizeGoal& goal : m_goals.sizes)
+        figures.sizeMost = std::max(figures.sizeMost, std::abs(sizeOff(design, goal)));
     const std::vector<double> now = lengthDifferences(design);
     for (std::size_t k = 0; k < now.size() && k < m_wanted.size(); ++k)
         figures.sewnMost = std::max(figures.sewnMost, std::abs(now[k] - m_wanted[k].difference));

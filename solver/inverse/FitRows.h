@@ -3,6 +3,7 @@
 
 #include "CoverTeam.h"
 #include "FitGoals.h"
+#include "SeamLineRows.h"
 
 #include <vector>
 
@@ -39,6 +40,9 @@ private:
     bool isMeant(ElementId patch) const { return m_goals.patches.empty() || m_goals.patches.contains(patch); }
     void addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere);
     void addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
+    void addSmooth(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
+    void addSizes(const Design& design, std::vector<double>& rows) const;
+    double sizeOff(const Design& design, const SizeGoal& goal) const;
     void addPattern(const Design& design, std::vector<double>& rows) const;
     std::vector<double> lengthDifferences(const Design& design) const;
 
@@ -48,6 +52,7 @@ private:
     std::vector<Wanted> m_wanted; // of all seams
     std::vector<Aim> m_aims;
     FitTarget m_kept;
+    SeamLineRows m_seams;
 };
 
 } // namespace bolster

@@ -17,6 +17,15 @@ namespace {
 
 constexpr int blockOfVertices = 256;
 
+float percentile95(std::vector<float>& sizes)
+{
+    if (sizes.empty())
+        return 0;
+    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+    std::ranges::nth_element(sizes, sizes.begin() + place);
+    return sizes[static_cast<std::size_t>(place)];
+}
+
 /// Of the values' sizes.
 void summarise(SweepSample& sample)
 {
@@ -28,20 +37,9 @@ void summarise(SweepSample& sample)
     }
     if (sizes.empty())
         return;
-    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
-    std::ranges::nth_element(sizes, sizes.begin() + place);
-    sample.p95 = sizes[static_cast<std::size_t>(place)];
+    sample.p95 = percentile95(sizes);
     sample.rms = std::sqrt(squares / static_cast<double>(sizes.size()));
     sample.most = *std::ranges::max_element(sizes);
-}
-
-float percentile95(std::vector<float>& sizes)
-{
-    if (sizes.empty())
-        return 0;
-    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
-    std::ranges::nth_element(sizes, sizes.begin() + place);
-    return sizes[static_cast<std::size_t>(place)];
 }
 
 /// How many spreads of each tolerance: upwards and downwards, as the columns of Sweep::linear.
@@ -209,9 +207,9 @@ std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples)
 }
 
 std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,
-                               const std::vector<double>& vertexAreas)
+                               const std::vector<double>& areasOfVertices)
 {
-    const Eigen::Map<const Eigen::VectorXd> areas(vertexAreas.data(), std::ssize(vertexAreas));
+    const Eigen::Map<const Eigen::VectorXd> areas(areasOfVertices.data(), std::ssize(areasOfVertices));
     std::vector<double> shares;
     double all = 0;
     for (std::size_t k = 0; k < tolerances.all.size(); ++k) {

@@ -60,7 +60,7 @@ std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
 
 /// How much of the variance of the whole cover comes of each tolerance, as shares.
 std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,
-                               const std::vector<double>& vertexAreas);
+                               const std::vector<double>& areasOfVertices);
 
 /// How far a sample would be from the nominal cover, if covers were linear.
 SweepSample linearSample(const Eigen::MatrixXf& linear, const Tolerances& tolerances, std::uint64_t number);

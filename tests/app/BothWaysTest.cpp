@@ -1,15 +1,21 @@
 // From a form to its pattern, and a pattern that follows a goal: by pointer and keys.
 #include "WindowTest.h"
 
+#include "CauseWindow.h"
 #include "DesignJson.h"
 #include "Designer.h"
 #include "FormPatternWindow.h"
+#include "MapLink.h"
 #include "NumberBox.h"
 #include "PatternFitWindow.h"
+#include "ReliefWindow.h"
 #include "RestingSolve.h"
 #include "SurfaceExport.h"
+#include "SweepWindow.h"
 
+#include <QCheckBox>
 #include <QFile>
+#include <QLabel>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -247,6 +253,116 @@ TEST_F(BothWaysTest, TheWindowCanBeClosedWhileAChangeIsShown)
     QTest::keyClick(dialog, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasFound(); }, 120000));
     EXPECT_TRUE(window.document().gestureRunning()); // what follows ends with it
+}
+
+TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilAtRest());
+    const Design before = design();
+    designer.choose({"Pattern", "Relieve strain"});
+    auto* dialog = window.findChild<ReliefWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    dialog->findChild<QCheckBox*>()->setChecked(true);
+    for (auto* box : dialog->findChildren<NumberBox*>())
+        if (box->suffix().contains('%'))
+            box->setValue(1.5);
+    pressIn(*dialog, "Look for changes");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found() != nullptr; }, 240000));
+    const std::vector<Relief>& reliefs = dialog->found()->reliefs;
+    ASSERT_FALSE(reliefs.empty());
+    ASSERT_TRUE(reliefs.front().solved);
+    EXPECT_GT(reliefs.front().solved->energy, 0.02);
+    int pictures = 0;
+    for (const auto* label : dialog->findChildren<QLabel*>())
+        pictures += !label->pixmap().isNull();
+    EXPECT_GE(pictures, 2) << "as it is, and as it would be";
+    const Design wanted = before.with(reliefs.front().edit);
+    const int steps = window.document().history().count();
+    pressIn(*dialog, "Make it");
+    EXPECT_EQ(window.document().history().count(), steps + 1);
+    EXPECT_EQ(writeDesign(design()), writeDesign(wanted));
+    EXPECT_EQ(dialog->found(), nullptr) << "what was proposed is of another design";
+    dialog->close();
+    takeKeyboard();
+    designer.key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+}
+
+TEST_F(BothWaysTest, TheCauseOfAScannedPieceIsNamed)
+{
+    QFile file(sample("box-cushion"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    Design right = readDesign(file.readAll().toStdString()).design;
+    const std::vector<Cause> causes = possibleCauses(withoutTwins(right));
+    const auto wide = std::ranges::find(causes, Cause::Kind::Stretch, &Cause::kind);
+    ASSERT_NE(wide, causes.end());
+    const Design built = withCause(withoutTwins(right), *wide, Eigen::VectorXd::Constant(1, 4));
+    const SolveResult solved = solveResting(built, {});
+    ASSERT_TRUE(solved.surface);
+    ASSERT_TRUE(exportPly(*solved.surface, built, folder.filePath("built.ply")).empty());
+    Scan scan;
+    scan.name = "Built";
+    scan.file = "built.ply";
+    scan.enabled = false;
+    right = right.with({{}, {{right.nextId(), nullptr, makeElement(scan)}}});
+    writeText(folder.filePath("cushion.json"), writeDesign(right));
+    ASSERT_TRUE(open(folder.filePath("cushion.json")));
+    ASSERT_TRUE(waitUntilAtRest());
+    waitForBackground();
+
+    designer.choose({"Pattern", "Why is it so?"});
+    auto* dialog = window.findChild<CauseWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    pressIn(*dialog, "Look for the cause");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found().has_value(); }, 240000));
+    const CauseWindow::Found& found = *dialog->found();
+    ASSERT_FALSE(found.explained.ranked.empty());
+    const Explanation& first = found.explained.ranked.front();
+    EXPECT_EQ(found.causes[first.cause].element, wide->element);
+    EXPECT_EQ(found.causes[first.cause].kind, Cause::Kind::Stretch);
+    EXPECT_NEAR(first.values[0], 4, 1);
+    auto* list = dialog->findChild<QTreeWidget*>();
+    EXPECT_GE(list->topLevelItemCount(), 2);
+    EXPECT_TRUE(window.selection().elements().contains(wide->element)) << "the views show where";
+    dialog->close();
+}
+
+TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilAtRest());
+    designer.choose({"Pattern", "Tolerances"});
+    auto* dialog = window.findChild<SweepWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    for (auto* box : dialog->findChildren<NumberBox*>())
+        if (box->suffix().isEmpty())
+            box->setValue(10); // pieces
+    pressIn(*dialog, "Draw pieces");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found() && dialog->found()->whole; }, 240000));
+    EXPECT_EQ(dialog->found()->solved, 10);
+    ASSERT_TRUE(window.maps().map());
+    EXPECT_TRUE(window.maps().map()->fits(*window.solver().surface()->topology));
+    float most = 0;
+    for (const float value : window.maps().map()->values)
+        most = std::max(most, value);
+    EXPECT_GT(most, 0.2F);
+    EXPECT_LT(most, 50.0F);
+    auto* list = dialog->findChild<QTreeWidget*>();
+    ASSERT_GT(list->topLevelItemCount(), 2);
+    list->setCurrentItem(list->topLevelItem(0));
+    EXPECT_FALSE(window.selection().elements().empty());
+    window.command("map.strain")->setChecked(true); // another map takes its place
+    EXPECT_FALSE(window.maps().hasGuest());
+    auto* shown = dialog->findChild<QCheckBox*>();
+    EXPECT_FALSE(shown->isChecked());
+    shown->setChecked(true);
+    EXPECT_TRUE(window.maps().hasGuest());
+    dialog->close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.maps().hasGuest(); }, 5000));
 }
 
 } // namespace

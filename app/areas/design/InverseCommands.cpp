@@ -1,25 +1,29 @@
 #include "InverseCommands.h"
 
+#include "CauseWindow.h"
 #include "Commands.h"
+#include "CoverView.h"
 #include "DesignSession.h"
 #include "FormPatternWindow.h"
 #include "PatternFitWindow.h"
 #include "PatternView.h"
+#include "ReliefWindow.h"
 #include "Selection.h"
+#include "SweepWindow.h"
 
 namespace bolster {
 
-InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Selection& selection,
-                                 SolverLink& solver, PatternView& pattern, QWidget& window)
-    : m_session(session)
-    , m_selection(selection)
-    , m_solver(solver)
-    , m_pattern(pattern)
-    , m_window(window)
+InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
+    : m_parts(parts)
+{
+    addCommands(commands);
+}
+
+void InverseCommands::addCommands(Commands& commands)
 {
     const auto anyPatch = [this] {
         bool found = false;
-        m_session.document().design().each<Patch>([&](ElementId, const Patch&) { found = true; });
+        m_parts.session.document().design().each<Patch>([&](ElementId, const Patch&) { found = true; });
         return found;
     };
     commands.add(
@@ -29,45 +33,79 @@ InverseCommands::InverseCommands(Commands& commands, DesignSession& session, Sel
          .tip = tr("Cuts a frame, a mesh or the cover into pieces, lays them flat and makes the pattern of "
                    "them"),
          .places = {"pattern/6"},
-         .does = [this] { fromForm(); }});
+         .does = [this] { show(m_form, [this] { return formWindow(); }); }});
     commands.add({.id = "pattern.fit",
                   .text = tr("F&it to a goal \u2026"),
                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_G},
                   .tip = tr("Changes the pattern until the cover lies on a scan, or is strained less"),
                   .places = {"pattern/6"},
                   .enabled = anyPatch,
-                  .does = [this] { fit(); }});
+                  .does = [this] {
+                      show(m_fit, [this] {
+                          return new PatternFitWindow(m_parts.session, m_parts.selection, m_parts.pattern,
+                                                      &m_parts.window);
+                      });
+                  }});
+    commands.add(
+        {.id = "pattern.relieve",
+         .text = tr("Relieve strain \u2026"),
+         .keys = {Qt::CTRL | Qt::ALT | Qt::Key_S},
+         .tip = tr("Proposes changes of the pattern where cloth is strained too much, with what each gains"),
+         .places = {"pattern/6"},
+         .enabled = anyPatch,
+         .does = [this] {
+             show(m_relief, [this] {
+                 return new ReliefWindow(m_parts.session, m_parts.selection, m_parts.cover, &m_parts.window);
+             });
+         }});
+    commands.add({.id = "pattern.explain",
+                  .text = tr("Why is it so? \u2026"),
+                  .keys = {Qt::CTRL | Qt::ALT | Qt::Key_C},
+                  .tip = tr("Which cause explains best how far the scan of a built piece lies from the cover"),
+                  .places = {"pattern/6"},
+                  .enabled = anyPatch,
+                  .does = [this] {
+                      show(m_cause,
+                           [this] { return new CauseWindow(m_parts.session, m_parts.selection, &m_parts.window); });
+                  }});
+    commands.add({.id = "pattern.tolerances",
+                  .text = tr("Tolerances \u2026"),
+                  .keys = {Qt::CTRL | Qt::ALT | Qt::Key_V},
+                  .tip = tr("Where the cover varies from piece to piece, and which tolerance of making matters"),
+                  .places = {"pattern/6"},
+                  .enabled = anyPatch,
+                  .does = [this] {
+                      show(m_sweep, [this] {
+                          return new SweepWindow(m_parts.session, m_parts.selection, m_parts.maps, &m_parts.window);
+                      });
+                  }});
 }
 
 /// They go before what they use: as children of the window they would go after it.
 InverseCommands::~InverseCommands()
 {
-    delete m_fit;
-    delete m_form;
+    for (QDialog* dialog : {m_sweep.data(), m_cause.data(), m_relief.data(), m_fit.data(), m_form.data()})
+        delete dialog;
 }
 
-void InverseCommands::fit()
+template <class Make>
+void InverseCommands::show(QPointer<QDialog>& dialog, const Make& make)
 {
-    if (!m_fit)
-        m_fit = new PatternFitWindow(m_session, m_selection, m_pattern, &m_window);
-    m_fit->show();
-    m_fit->raise();
-    m_fit->activateWindow();
+    if (!dialog)
+        dialog = make();
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
-void InverseCommands::fromForm()
+QDialog* InverseCommands::formWindow()
 {
-    if (!m_form) {
-        auto* window = new FormPatternWindow(m_session, m_solver, &m_window);
-        connect(window, &FormPatternWindow::patternMade, this, [this](const std::vector<ElementId>& added) {
-            m_selection.set({added.begin(), added.end()});
-            m_pattern.navigation().fitAll();
-        });
-        m_form = window;
-    }
-    m_form->show();
-    m_form->raise();
-    m_form->activateWindow();
+    auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, &m_parts.window);
+    connect(window, &FormPatternWindow::patternMade, this, [this](const std::vector<ElementId>& added) {
+        m_parts.selection.set({added.begin(), added.end()});
+        m_parts.pattern.navigation().fitAll();
+    });
+    return window;
 }
 
 } // namespace bolster

@@ -10,7 +10,9 @@ class QDialog;
 namespace bolster {
 
 class Commands;
+class CoverView;
 class DesignSession;
+class MapLink;
 class PatternView;
 class Selection;
 class SolverLink;
@@ -19,21 +21,27 @@ class InverseCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(InverseCommands)
 
 public:
-    InverseCommands(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-                    PatternView& pattern, QWidget& window);
+    struct Parts {
+        DesignSession& session;
+        Selection& selection;
+        SolverLink& solver;
+        MapLink& maps;
+        PatternView& pattern;
+        CoverView& cover;
+        QWidget& window;
+    };
+    InverseCommands(Commands& commands, const Parts& parts);
     ~InverseCommands() override;
 
 private:
-    void fit();
-    void fromForm();
+    void addCommands(Commands& commands);
+    QDialog* formWindow();
+    /// One of each at a time.
+    template <class Make>
+    void show(QPointer<QDialog>& dialog, const Make& make);
 
-    DesignSession& m_session;
-    Selection& m_selection;
-    SolverLink& m_solver;
-    PatternView& m_pattern;
-    QWidget& m_window;
-    QPointer<QDialog> m_fit;
-    QPointer<QDialog> m_form;
+    Parts m_parts;
+    QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };
 
 } // namespace bolster

@@ -69,6 +69,7 @@ void MapCommands::addKinds()
                     .group = "map",
                     .orNone = true,
                     .toggled = [this](bool) {
+                        m_maps.setGuest(nullptr);
                         showMeasured();
                         forgetPlace();
                     }});
@@ -113,7 +114,7 @@ void MapCommands::choose()
 
 const ShownMapPtr& MapCommands::shown()
 {
-    return m_commands["map.deviation"]->isChecked() ? m_scans.map() : m_maps.map();
+    return m_commands["map.deviation"]->isChecked() && !m_maps.hasGuest() ? m_scans.map() : m_maps.map();
 }
 
 void MapCommands::showMeasured()

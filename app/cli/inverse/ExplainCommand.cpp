@@ -171,6 +171,9 @@ int explain(std::span<const std::string> words)
     if (found.covered == 0)
         throw UsageError("the scan shows nothing of the cover: does it lie where the design is?");
     printExplanations(found, finder->causes());
+    if (sound.empty() && found.mostlyUnexplained())
+        printError("warning: most of the deviation has no cause of these kinds, so that the first need not be the "
+                   "right one; give the scan of a sound piece with --sound");
     const QString report = arguments.path("--report");
     if (report.isEmpty())
         return done;

@@ -27,6 +27,10 @@ Goals (--to may be given more than once):
   --to scan             the cover lies on the scan of the design
   --to strain           the strain is below the limits of the fabrics, and the cover
                         stays where it is
+  --to smooth:PATCH     no cloth of that patch is pressed together, which makes folds
+  --to seam:ID=CURVE    the seam with that number runs along that fixation curve, which
+                        need not hold anything
+  --to size:PATCH=90%   the patch has so much of its area
 
 Options:
   --out FILE.json       the changed design; never replaced when it is there already
@@ -78,6 +82,61 @@ ElementId patchNamed(const Design& design, const std::string& name)
     if (found == noElement)
         throw UsageError("the design has no patch \"" + name + "\"");
     return found;
+}
+
+/// "seam:12=Ridge": what is before the sign, and after it. Throws UsageError without the sign.
+std::pair<std::string, std::string> sidesOf(const std::string& goal, const std::string& text)
+{
+    const std::size_t sign = text.rfind('=');
+    if (sign == std::string::npos)
+        throw UsageError("--to " + goal + ": a = is missing");
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+SeamGoal seamGoal(const std::string& goal, const std::string& text, const Design& design)
+{
+    const auto [seam, name] = sidesOf(goal, text);
+    bool known = false;
+    const auto id = static_cast<ElementId>(QString::fromStdString(seam).toUInt(&known));
+    if (!known || !design.find<Seam>(id))
+        throw UsageError("--to " + goal + ": the design has no seam with the number \"" + seam + "\"");
+    std::optional<SeamGoal> found;
+    design.each<FixationCurve>([&](ElementId, const FixationCurve& curve) {
+        if (curve.name == name)
+            found = SeamGoal{id, curve.curve};
+    });
+    if (!found)
+        throw UsageError("--to " + goal + ": the design has no fixation curve \"" + name + "\"");
+    return *found;
+}
+
+SizeGoal sizeGoal(const std::string& goal, const std::string& text, const Design& design)
+{
+    const auto [name, size] = sidesOf(goal, text);
+    bool known = false;
+    QString percent = QString::fromStdString(size);
+    percent.remove('%');
+    const double share = percent.toDouble(&known) / 100;
+    if (!known || !(share >= 0.1 && share <= 10))
+        throw UsageError("--to " + goal + ": 10 % to 1000 % are expected behind the =");
+    return {patchNamed(design, name), share};
+}
+
+/// Goals that need no form; false when it is none of them.
+bool addWish(const std::string& goal, const Design& design, FitGoals& goals)
+{
+    const std::size_t colon = goal.find(':');
+    const std::string kind = goal.substr(0, colon);
+    if (colon == std::string::npos || (kind != "smooth" && kind != "seam" && kind != "size"))
+        return false;
+    const std::string text = goal.substr(colon + 1);
+    if (kind == "smooth")
+        goals.smooth.insert(patchNamed(design, text));
+    else if (kind == "seam")
+        goals.seams.push_back(seamGoal(goal, text, design));
+    else
+        goals.sizes.push_back(sizeGoal(goal, text, design));
+    return true;
 }
 
 struct Asked {
@@ -146,13 +205,15 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
     for (const std::string& goal : arguments.values("--to")) {
         if (goal == "strain")
             goals.strain = true;
+        else if (addWish(goal, opened.design, goals))
+            continue;
         else if (!goals.target.empty())
             throw UsageError("the cover can lie on one form alone");
         else
             goals.target = goal == "scan" ? scanOf(opened, "--to") : targetIn(exactText(goal), arguments, stop);
     }
-    if (!goals.strain && goals.target.empty())
-        throw UsageError("to what? --to FILE, --to scan or --to strain");
+    if (!goals.any())
+        throw UsageError("to what? --to FILE, scan, strain, smooth:, seam: or size:");
     if (arguments.has("--limit"))
         goals.limit = arguments.number("--limit", 8, 0.01, 100);
     goals.keepShape = goals.target.empty() ? 0.5 : 0;
@@ -169,6 +230,9 @@ Json figuresJson(const FitFigures& figures)
             {"covered", figures.covered},
             {"over_limit", figures.overLimit},
             {"strain_rms", figures.strainRms},
+            {"pressed", figures.pressed},
+            {"seam_distance_mm", figures.seamRms},
+            {"size_off", figures.sizeMost},
             {"shape_change_mm", figures.shapeRms},
             {"seam_difference_mm", figures.sewnMost}};
 }
@@ -203,6 +267,18 @@ std::string reachedText(const FitGoals& goals, const FitFigures& figures)
     if (goals.strain)
         text +=
             (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) + " % of the cover over the limit";
+    if (!goals.smooth.empty())
+        text.append(text.empty() ? "" : "; ")
+            .append(numberText(100 * figures.pressed, 3))
+            .append(" % pressed together");
+    if (!goals.seams.empty())
+        text.append(text.empty() ? "" : "; ")
+            .append(numberText(figures.seamRms, 3))
+            .append(" mm rms from the curves");
+    if (!goals.sizes.empty())
+        text.append(text.empty() ? "" : "; ")
+            .append(numberText(100 * figures.sizeMost, 3))
+            .append(" % off the area that is wanted");
     return text;
 }
 

@@ -158,10 +158,7 @@ int relieve(std::span<const std::string> words)
         ProgressLine line("solving");
         list = proposeReliefs(
             {opened.design, opened.files}, order,
-            [&](double share) {
-                line.say(share < 1 ? "predicting, " + numberText(std::floor(100 * share), 3) + " %"
-                                   : "solving the best");
-            },
+            [&](double share) { line.say("solving, " + numberText(std::floor(100 * share), 3) + " %"); },
             interrupt.token());
     }
     if (interrupt.token().stop_requested())

@@ -7,6 +7,7 @@
 #include "Solving.h"
 #include "Subcommands.h"
 #include "SweepFiles.h"
+#include "VertexAreas.h"
 #include "WholeFile.h"
 
 #include <QFile>
@@ -90,19 +91,6 @@ std::string solveMissing(Sweep& sweep, const SweepFolder& folder, const Share& s
             return problem.english();
     }
     return {};
-}
-
-/// A third of the triangles around each vertex, mm^2.
-std::vector<double> areasOf(const SurfaceMesh& surface)
-{
-    std::vector<double> areas(surface.positions.size(), 0);
-    for (const auto& t : surface.topology->triangles) {
-        const Vec3& a = surface.positions[t[0]];
-        const double area = 0.5 * (surface.positions[t[1]] - a).cross(surface.positions[t[2]] - a).norm();
-        for (const std::uint32_t v : t)
-            areas[v] += area / 3;
-    }
-    return areas;
 }
 
 struct MapFigures {
@@ -228,7 +216,8 @@ private:
     Json influence()
     {
         const std::vector<Tolerance>& all = m_spec.tolerances.all;
-        const std::vector<double> shares = influences(m_linear, m_spec.tolerances, areasOf(*m_sweep.nominal()));
+        const std::vector<double> shares = influences(
+            m_linear, m_spec.tolerances, vertexAreas(*m_sweep.nominal()->topology, m_sweep.nominal()->positions));
         std::vector<std::size_t> order(all.size());
         std::iota(order.begin(), order.end(), 0);
         std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t k) { return shares[k]; });

@@ -30,6 +30,9 @@ struct Explanations {
     double covered = 0; ///< share of the cover that the scan shows
     double none = 0;    ///< probability that it is none of the causes
     std::vector<Explanation> ranked;
+
+    /// Most of the deviation is like nothing that a cause does: what the cover gets wrong drowns a small one.
+    bool mostlyUnexplained() const { return 2 * noise * noise > rms * rms; }
 };
 
 /// Covers of one design beside each cause. Not for several threads at once; uses several itself.

@@ -18,7 +18,8 @@ namespace {
 constexpr int amounts = 24;       // that are looked at on each side
 constexpr double worthMore = 0.9; // of the best gain: a smaller amount that gains so much is better
 constexpr double leastGain = 1e-3;
-constexpr double spareOfMost = 0.5; // differences are taken at this share of the bound
+constexpr double spareOfMost = 0.5;     // differences are taken at this share of the bound
+constexpr double sharePredicting = 0.7; // of the progress; the rest is solving the best
 
 std::vector<Vec3> placesOfVertices(const WarmCover& cover)
 {
@@ -84,11 +85,11 @@ Best bestAmount(StrainCurve& curve, double most)
 /// Predicts what candidates gain, several at a time.
 class Predictor {
 public:
-    Predictor(const SolveInput& input, const ReliefOrder& order, const std::function<void(double)>& progress,
+    Predictor(const SolveInput& input, const ReliefOrder& order, std::function<void(double)> progress,
               const std::stop_token& stop)
         : m_input(input)
         , m_order(order)
-        , m_progress(progress)
+        , m_progress(std::move(progress))
         , m_stop(stop)
         , m_team(input, {.edgeLength = order.edgeLength}, order.threads, stop)
     {}
@@ -113,8 +114,7 @@ public:
                 return;
             found[k] = k < moves.size() ? moved(cover, moves[k]) : tried(cover, whole[k - moves.size()]);
             const std::scoped_lock lock(m_mutex);
-            if (m_progress)
-                m_progress(static_cast<double>(++m_done) / static_cast<double>(count));
+            m_progress(static_cast<double>(++m_done) / static_cast<double>(count));
         });
         std::vector<Relief> reliefs;
         for (std::optional<Relief>& relief : found)
@@ -170,7 +170,7 @@ private:
 
     const SolveInput& m_input;
     const ReliefOrder& m_order;
-    const std::function<void(double)>& m_progress;
+    std::function<void(double)> m_progress;
     std::stop_token m_stop;
     CoverTeam m_team;
     CoverStrains m_now;
@@ -179,16 +179,9 @@ private:
     int m_done = 0;
 };
 
-std::optional<OverLimit> solvedOver(const SolveInput& input, const std::optional<double>& limit, int threads,
-                                    const std::stop_token& stop, Message* problem = nullptr)
+OverLimit overLimitOf(const SurfaceMesh& cover, const Design& design, const std::optional<double>& limit)
 {
-    const SolveResult result = solveResting(input, {.threads = threads}, stop);
-    if (result.status != SolveResult::Status::Solved) {
-        if (problem)
-            *problem = result.reason;
-        return std::nullopt;
-    }
-    return overLimit(coverStrains(*result.surface->topology, result.surface->positions, input.design, limit));
+    return overLimit(coverStrains(*cover.topology, cover.positions, design, limit));
 }
 
 /// The best at each place come first; returns how many.
@@ -212,29 +205,44 @@ const char* wordOf(Relief::Kind kind)
 void solveRelief(const SolveInput& input, const std::optional<double>& limit, const OverLimit& now, int threads,
                  Relief& relief, const std::stop_token& stop)
 {
-    const auto with = solvedOver({input.design.with(relief.edit), input.files}, limit, threads, stop);
-    if (with && now.energy > 0)
-        relief.solved = {1 - with->energy / now.energy, 1 - with->area / now.area};
+    const Design design = input.design.with(relief.edit);
+    const SolveResult result = solveResting({design, input.files}, {.threads = threads}, stop);
+    if (result.status != SolveResult::Status::Solved || !(now.energy > 0))
+        return;
+    relief.cover = result.surface;
+    const OverLimit with = overLimitOf(*result.surface, design, limit);
+    relief.solved = {1 - with.energy / now.energy, 1 - with.area / now.area};
 }
 
 ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
                           const std::function<void(double)>& progress, const std::stop_token& stop)
 {
     ReliefList result;
-    const std::optional<OverLimit> now = solvedOver(input, order.limit, order.threads, stop, &result.problem);
-    if (!now)
+    const SolveResult now = solveResting(input, {.threads = order.threads}, stop);
+    if (now.status != SolveResult::Status::Solved) {
+        result.problem = now.reason;
         return result;
-    result.now = *now;
+    }
+    result.cover = now.surface;
+    result.now = overLimitOf(*now.surface, input.design, order.limit);
     {
-        Predictor predictor(input, order, progress, stop);
+        const auto predicting = [&](double share) {
+            if (progress)
+                progress(sharePredicting * share);
+        };
+        Predictor predictor(input, order, predicting, stop);
         result.problem = predictor.problem();
         if (!result.problem.empty() || stop.stop_requested())
             return result;
         result.reliefs = predictor.predicted();
     }
     const std::size_t best = bestFirst(result.reliefs, order.solved);
-    for (std::size_t k = 0; k < best; ++k)
+    for (std::size_t k = 0; k < best; ++k) {
         solveRelief(input, order.limit, result.now, order.threads, result.reliefs[k], stop);
+        if (progress)
+            progress(sharePredicting +
+                     (1 - sharePredicting) * static_cast<double>(k + 1) / static_cast<double>(best));
+    }
     std::stable_sort(result.reliefs.begin(), result.reliefs.begin() + static_cast<std::ptrdiff_t>(best),
                      [](const Relief& a, const Relief& b) {
                          return (a.solved ? a.solved->energy : -1) > (b.solved ? b.solved->energy : -1);

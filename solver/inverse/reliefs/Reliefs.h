@@ -3,6 +3,7 @@
 
 #include "CoverStrains.h"
 #include "SolveInput.h"
+#include "SurfaceMesh.h"
 
 #include <functional>
 #include <stop_token>
@@ -32,13 +33,15 @@ struct Relief {
     Edit edit;
     double predicted = 0;                  ///< gain of energy
     std::optional<ReliefGain> solved = {}; ///< on the design's triangles; nothing: not solved, or no cover at rest
-    double sewn = 0;  ///< mm: seam that there is more of, or how far the sides of seams become unequal
-    double moved = 0; ///< mm: how far outlines change at most
+    double sewn = 0;           ///< mm: seam that there is more of, or how far the sides of seams become unequal
+    double moved = 0;          ///< mm: how far outlines change at most
+    SurfaceMeshPtr cover = {}; ///< of a solved one; null when it does not come to rest
 };
 
 struct ReliefList {
     Message problem;             ///< why there is no cover; empty when there is one
     OverLimit now;               ///< on the design's triangles
+    SurfaceMeshPtr cover;        ///< as it is now
     std::vector<Relief> reliefs; ///< the solved ones first, then by what is predicted
 };
 
@@ -47,7 +50,7 @@ const char* wordOf(Relief::Kind kind);
 
 /// What gains nothing by prediction is left out. Predicted is from differences of covers at rest, strain by strain
 /// to the second order, at the best amount within the bound; of darts and continuity, which have no amount, from a
-/// cover. Deterministic. When stopped it is not complete.
+/// cover. Deterministic. When stopped it is not complete. `progress`: the share that is done, 0 to 1.
 ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
                           const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 

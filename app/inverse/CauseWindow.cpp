@@ -1,0 +1,268 @@
+#include "CauseWindow.h"
+
+#include "DesignSession.h"
+#include "ElementText.h"
+#include "FormChoice.h"
+#include "RunRow.h"
+#include "SolveFailure.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr std::size_t shownCauses = 12;
+constexpr std::size_t namedAlike = 3;
+constexpr double shareOfDerivatives = 0.85; // of the time that it takes
+
+QString kindText(Cause::Kind kind)
+{
+    switch (kind) {
+    case Cause::Kind::Foam:
+        return CauseWindow::tr("Foam is thicker or thinner");
+    case Cause::Kind::Strength:
+        return CauseWindow::tr("Foam is harder or softer");
+    case Cause::Kind::Seam:
+        return CauseWindow::tr("Allowance of a seam");
+    case Cause::Kind::Stretch:
+        return CauseWindow::tr("Piece is larger or smaller");
+    case Cause::Kind::Fixation:
+        return CauseWindow::tr("Fixation lies elsewhere");
+    case Cause::Kind::Notch:
+        return CauseWindow::tr("Seam is sewn shifted");
+    }
+    return {};
+}
+
+QString causeText(const Design& design, const Cause& cause)
+{
+    return CauseWindow::tr("%1: %2").arg(kindText(cause.kind), displayName(design, cause.element));
+}
+
+/// "+3.1 ± 0.4 mm", of each number.
+QString amountText(const Explanation& one, Cause::Kind kind)
+{
+    QStringList numbers;
+    for (Eigen::Index k = 0; k < one.values.size(); ++k)
+        numbers << (one.values[k] > 0 ? QStringLiteral("+") : QString()) + decimalText(one.values[k], 1, true) +
+                       QStringLiteral(" \u00b1 ") + decimalText(one.spreads[k], 1, true);
+    return numbers.join(QStringLiteral(", ")) + u' ' + QString::fromLatin1(unitOf(kind));
+}
+
+} // namespace
+
+CauseWindow::CauseWindow(DesignSession& session, Selection& selection, QWidget* parent)
+    : QDialog(parent)
+    , m_session(session)
+    , m_document(session.document())
+    , m_selection(selection)
+    , m_job(
+          [this](const Wanted& wanted, const std::stop_token& stop) {
+              return explain(
+                  wanted,
+                  [this, number = wanted.number](double share) {
+                      QMetaObject::invokeMethod(
+                          this,
+                          [this, number, share] {
+                              if (number == m_asked)
+                                  m_run->setShare(share);
+                          },
+                          Qt::QueuedConnection);
+                  },
+                  stop);
+          },
+          [this](Found found) { take(std::move(found)); })
+{
+    setWindowTitle(tr("Why is it so?"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(&m_document, &Document::changed, this, &CauseWindow::documentChanged);
+    connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
+}
+
+CauseWindow::~CauseWindow()
+{
+    m_job.cancel();
+}
+
+void CauseWindow::build()
+{
+    m_scan = new FormChoice(m_session, tr("The scan of the piece"), {}, this);
+    m_sound = new FormChoice(m_session, tr("The scan of a sound piece"), tr("None"), this);
+    m_sound->setToolTip(
+        tr("Of a piece that is as it should be: where that lies elsewhere than the cover no cause is "
+           "looked for"));
+    auto* form = new QFormLayout;
+    form->addRow(tr("Scan of the &piece"), m_scan);
+    form->addRow(tr("Scan of a so&und piece"), m_sound);
+    m_run = new RunRow(tr("Look for the &cause"), this);
+    connect(m_run, &RunRow::started, this, &CauseWindow::find);
+    connect(m_run, &RunRow::stopped, this, &CauseWindow::stop);
+    m_said = new QLabel(tr("Says which one cause explains best how far a built piece lies from the cover: foam, a "
+                           "seam's allowance, a stretched piece, a fixation off its place, a slipped notch."),
+                        this);
+    m_said->setWordWrap(true);
+    m_list = new QTreeWidget(this);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setHeaderLabels({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")});
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setStretchLastSection(false);
+    m_list->setAccessibleName(tr("Causes"));
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &CauseWindow::rowChosen);
+    m_alike = new QLabel(this);
+    m_alike->setWordWrap(true);
+    m_alike->setMinimumHeight(2 * m_alike->fontMetrics().lineSpacing());
+    m_alike->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_run);
+    layout->addWidget(m_said);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(m_alike);
+    layout->addWidget(buttons);
+    resize(620, 560);
+    if (const QWidget* window = parentWidget())
+        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+}
+
+CauseWindow::Found CauseWindow::explain(const Wanted& wanted, const std::function<void(double)>& progress,
+                                        const std::stop_token& stop)
+{
+    Found found;
+    found.number = wanted.number;
+    found.sound = !wanted.sound.empty();
+    try {
+        FitTarget scan, sound;
+        if (!readTarget(wanted.scan, scan, found.problem, stop) ||
+            !readTarget(wanted.sound, sound, found.problem, stop))
+            return found;
+        CauseFinder finder(
+            wanted.input, {}, [&](double share) { progress(shareOfDerivatives * share); }, stop);
+        found.problem = finder.problem();
+        if (!finder.nominal() || stop.stop_requested())
+            return found;
+        found.causes = finder.causes();
+        found.explained = finder.explain(scan, sound, stop);
+    } catch (const std::exception& error) {
+        found.problem = failureMessage(error);
+    }
+    return found;
+}
+
+void CauseWindow::find()
+{
+    if (m_scan->asksForFile() || m_sound->asksForFile())
+        return;
+    const FitForm scan = m_scan->form();
+    if (scan.empty()) {
+        m_said->setText(tr("Choose the scan of the piece that was built."));
+        return;
+    }
+    m_document.cancelGesture();
+    m_start = m_document.committed();
+    m_found.reset();
+    m_list->clear();
+    m_alike->clear();
+    m_run->setRunning(true);
+    m_said->setText(tr("Covers with each cause are solved \u2026"));
+    m_job.request({++m_asked, {m_start, m_session.files()}, scan, m_sound->form()}, true);
+}
+
+void CauseWindow::stop()
+{
+    ++m_asked;
+    m_job.cancel();
+    m_run->setRunning(false);
+    m_said->setText(tr("Stopped."));
+}
+
+void CauseWindow::take(Found found)
+{
+    if (found.number != m_asked)
+        return;
+    m_run->setRunning(false);
+    if (!found.problem.empty()) {
+        m_said->setText(translated(found.problem));
+        return;
+    }
+    m_found = std::move(found);
+    say();
+    fill();
+}
+
+void CauseWindow::say()
+{
+    const Explanations& all = m_found->explained;
+    if (all.covered == 0) {
+        m_said->setText(tr("The scan shows nothing of the cover: does it lie where the design is?"));
+        return;
+    }
+    QStringList lines{tr("The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.")
+                          .arg(percentText(all.covered), lengthText(all.rms, 2), lengthText(all.noise, 2))};
+    if (all.none > 0.5)
+        lines << tr("No single cause explains that better than noise does.");
+    if (!m_found->sound && all.mostlyUnexplained())
+        lines << tr("Most of the deviation has no cause of these kinds, so the first need not be the right one: "
+                    "give the scan of a sound piece, too.");
+    m_said->setText(lines.join('\n'));
+}
+
+void CauseWindow::fill()
+{
+    const std::vector<Explanation>& ranked = m_found->explained.ranked;
+    for (std::size_t k = 0; k < std::min(shownCauses, ranked.size()); ++k) {
+        const Cause& cause = m_found->causes[ranked[k].cause];
+        auto* row =
+            new QTreeWidgetItem(m_list, {causeText(m_start, cause), amountText(ranked[k], cause.kind),
+                                         percentText(std::round(100 * std::max(ranked[k].share, 0.0)) / 100),
+                                         percentText(std::round(100 * ranked[k].probability) / 100)});
+        row->setToolTip(0, row->text(0));
+        for (const int column : {1, 2, 3})
+            row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    if (m_list->topLevelItemCount() > 0)
+        m_list->setCurrentItem(m_list->topLevelItem(0));
+}
+
+void CauseWindow::rowChosen()
+{
+    const int row = m_list->indexOfTopLevelItem(m_list->currentItem());
+    if (!m_found || row < 0)
+        return;
+    const Explanation& one = m_found->explained.ranked[static_cast<std::size_t>(row)];
+    if (const ElementId id = m_found->causes[one.cause].element; m_document.design().element(id))
+        m_selection.set({id});
+    QStringList names;
+    for (std::size_t k = 0; k < std::min(namedAlike, one.alike.size()); ++k)
+        names << causeText(m_start, m_found->causes[one.alike[k]]);
+    if (one.alike.size() > namedAlike)
+        names << tr("and %n others", nullptr, static_cast<int>(one.alike.size() - namedAlike));
+    m_alike->setText(names.empty()
+                         ? QString()
+                         : tr("The scan does not tell it apart from: %1").arg(names.join(QStringLiteral("; "))));
+}
+
+/// What is said stays: it is of the piece, which was built from the design as it was.
+void CauseWindow::documentChanged()
+{
+    if (m_run->running() && !(m_document.committed() == m_start)) {
+        stop();
+        m_said->setText(tr("The design has changed meanwhile: look again."));
+    }
+}
+
+} // namespace bolster

@@ -1,0 +1,73 @@
+// Says which cause explains best how far the scan of a built piece lies from its design.
+#pragma once
+
+#include "CauseFinder.h"
+#include "Document.h"
+#include "FitForm.h"
+#include "LatestJob.h"
+#include "Selection.h"
+
+#include <QDialog>
+
+#include <optional>
+
+class QLabel;
+class QTreeWidget;
+
+namespace bolster {
+
+class DesignSession;
+class FormChoice;
+class RunRow;
+
+class CauseWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    CauseWindow(DesignSession& session, Selection& selection, QWidget* parent = nullptr);
+    ~CauseWindow() override;
+
+    struct Found {
+        int number = 0;
+        Message problem; ///< why there is no answer; empty when there is one
+        std::vector<Cause> causes;
+        Explanations explained;
+        bool sound = false; ///< with the scan of a sound piece
+    };
+    /// Nothing before the first answer.
+    const std::optional<Found>& found() const { return m_found; }
+
+private:
+    struct Wanted {
+        int number = 0;
+        SolveInput input;
+        FitForm scan, sound;
+    };
+
+    static Found explain(const Wanted& wanted, const std::function<void(double)>& progress,
+                         const std::stop_token& stop);
+    void build();
+    void find();
+    void stop();
+    void take(Found found);
+    void fill();
+    void say();
+    void rowChosen();
+    void documentChanged();
+
+    DesignSession& m_session;
+    Document& m_document;
+    Selection& m_selection;
+
+    FormChoice *m_scan = nullptr, *m_sound = nullptr;
+    RunRow* m_run = nullptr;
+    QLabel *m_said = nullptr, *m_alike = nullptr;
+    QTreeWidget* m_list = nullptr;
+
+    int m_asked = 0;
+    Design m_start; ///< of what is sought
+    std::optional<Found> m_found;
+    LatestJob<Wanted, Found> m_job; ///< last: it uses the others
+};
+
+} // namespace bolster

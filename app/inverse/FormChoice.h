@@ -1,0 +1,41 @@
+// The scans of the design and files, to choose what a cover is held against.
+#pragma once
+
+#include "FitForm.h"
+
+#include <QComboBox>
+
+namespace bolster {
+
+class DesignSession;
+
+class FormChoice : public QComboBox {
+    Q_OBJECT
+
+public:
+    /// `fileTitle`: of the dialog that asks for a file. `none`: how it is said that there is none; empty: there
+    /// must be one.
+    FormChoice(DesignSession& session, QString fileTitle, const QString& none = {}, QWidget* parent = nullptr);
+
+    /// Whether the design has scans.
+    bool hasScans() const { return m_scans > 0; }
+    /// Empty when none is chosen, or its file is not read.
+    FitForm form() const;
+    /// When "A file ..." is chosen, but none yet: asks for it, and returns true.
+    bool asksForFile();
+
+signals:
+    void fileChosen();
+
+private:
+    void fill(const QString& none);
+    void chooseFile();
+    bool fileIsChosen() const;
+
+    DesignSession& m_session;
+    QString m_fileTitle;
+    QString m_file;
+    int m_scans = 0;
+};
+
+} // namespace bolster

@@ -1,0 +1,272 @@
+#include "ReliefWindow.h"
+
+#include "CoverView.h"
+#include "DesignSession.h"
+#include "NumberBox.h"
+#include "RunRow.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr QSize pictureSize{168, 126}; // without the screen's scale
+
+QString gainText(double gain, const QString& less, const QString& more)
+{
+    return (gain < 0 ? more : less).arg(percentText(std::round(100 * std::abs(gain)) / 100));
+}
+
+} // namespace
+
+ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, QWidget* parent)
+    : QDialog(parent)
+    , m_session(session)
+    , m_document(session.document())
+    , m_selection(selection)
+    , m_view(view)
+    , m_job(
+          [this](const ReliefWanted& wanted, const std::stop_token& stop) {
+              return findReliefs(
+                  wanted,
+                  [this, number = wanted.number](double share) {
+                      QMetaObject::invokeMethod(
+                          this,
+                          [this, number, share] {
+                              if (number == m_asked)
+                                  m_run->setShare(share);
+                          },
+                          Qt::QueuedConnection);
+                  },
+                  stop);
+          },
+          [this](ReliefFound found) { take(std::move(found)); })
+{
+    setWindowTitle(tr("Relieve strain"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(&m_document, &Document::changed, this, &ReliefWindow::documentChanged);
+    connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
+}
+
+ReliefWindow::~ReliefWindow()
+{
+    m_job.cancel();
+}
+
+void ReliefWindow::build()
+{
+    m_run = new RunRow(tr("&Look for changes"), this);
+    connect(m_run, &RunRow::started, this, &ReliefWindow::find);
+    connect(m_run, &RunRow::stopped, this, &ReliefWindow::stop);
+    m_said =
+        new QLabel(tr("Where cloth is strained or pressed together more than it may be, changes of the pattern "
+                      "are tried, and the best are solved."),
+                   this);
+    m_said->setWordWrap(true);
+    m_cards = new QWidget;
+    m_rows = new QVBoxLayout(m_cards);
+    m_rows->setContentsMargins({});
+    m_rows->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(m_cards);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(buildOrder());
+    layout->addWidget(m_run);
+    layout->addWidget(m_said);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(buttons);
+    resize(520, 720);
+    if (const QWidget* window = parentWidget()) // over the cover's margin, as the fit to a goal
+        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+}
+
+QWidget* ReliefWindow::buildOrder()
+{
+    auto* box = new QWidget(this);
+    m_ownLimit = new QCheckBox(tr("Strain is at &most"), box);
+    m_ownLimit->setToolTip(tr("Else the limits of the fabrics count"));
+    m_limit = new NumberBox({tr(" %"), 2, 0.1, 100, 0.5}, box);
+    m_limit->setAccessibleName(tr("Limit of strain"));
+    m_limit->display(StretchLimits{}.along);
+    m_limit->setEnabled(false);
+    connect(m_ownLimit, &QCheckBox::toggled, m_limit, &QWidget::setEnabled);
+    m_most = new NumberBox({tr(" mm"), 2, 0.1, 100, 1, true}, box);
+    m_most->display(ReliefOrder{}.most);
+    auto* label = new QLabel(tr("Edges move &by at most"), box);
+    label->setBuddy(m_most);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins({});
+    row->addWidget(m_ownLimit);
+    row->addWidget(m_limit);
+    row->addSpacing(16);
+    row->addWidget(label);
+    row->addWidget(m_most);
+    row->addStretch(1);
+    return box;
+}
+
+void ReliefWindow::find()
+{
+    if (!takeTyped(*this))
+        return;
+    m_document.cancelGesture();
+    forget({});
+    m_start = m_document.committed();
+    ReliefWanted wanted;
+    wanted.number = ++m_asked;
+    wanted.input = {m_start, m_session.files()};
+    if (m_ownLimit->isChecked())
+        wanted.order.limit = m_limit->value();
+    wanted.order.most = m_most->value();
+    wanted.camera = m_view.navigation().camera();
+    wanted.pictureSize = pictureSize * devicePixelRatioF();
+    m_run->setRunning(true);
+    m_said->setText(tr("Trying changes \u2026"));
+    m_job.request(std::move(wanted), true);
+}
+
+void ReliefWindow::stop()
+{
+    ++m_asked;
+    m_job.cancel();
+    m_run->setRunning(false);
+    m_said->setText(tr("Stopped; nothing has changed."));
+}
+
+void ReliefWindow::take(ReliefFound found)
+{
+    if (found.number != m_asked)
+        return;
+    m_run->setRunning(false);
+    if (!found.list.problem.empty()) {
+        m_said->setText(translated(found.list.problem));
+        return;
+    }
+    m_found = std::move(found);
+    showFound();
+}
+
+void ReliefWindow::showFound()
+{
+    const ReliefList& list = m_found->list;
+    if (!(list.now.area > 0))
+        m_said->setText(tr("Nothing is strained over the limit."));
+    else if (m_found->pictures.empty())
+        m_said->setText(
+            tr("%1 of the cover is over the limit. No change relieves it.").arg(percentText(list.now.area)));
+    else
+        m_said->setText(tr("Each is solved by itself; \"Make it\" is one step that Undo takes back."));
+    addCard(m_found->now, tr("As it is now"),
+            tr("%1 of the cover is over the limit.").arg(percentText(list.now.area)));
+    for (std::size_t k = 0; k < m_found->pictures.size(); ++k)
+        addRelief(k);
+}
+
+void ReliefWindow::clearCards()
+{
+    while (m_rows->count() > 1) { // the last one is the stretch
+        QLayoutItem* item = m_rows->takeAt(0);
+        item->widget()->deleteLater();
+        delete item;
+    }
+}
+
+QFrame* ReliefWindow::addCard(const QImage& picture, const QString& title, const QString& more)
+{
+    auto* card = new QFrame(m_cards);
+    card->setFrameShape(QFrame::StyledPanel);
+    auto* shown = new QLabel(card);
+    QPixmap pixmap = QPixmap::fromImage(picture);
+    pixmap.setDevicePixelRatio(devicePixelRatioF());
+    shown->setPixmap(pixmap);
+    shown->setFixedSize(pictureSize);
+    auto* heading = new QLabel(title, card);
+    QFont bold = heading->font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    heading->setWordWrap(true);
+    auto* text = new QLabel(more, card);
+    text->setWordWrap(true);
+    auto* words = new QVBoxLayout;
+    words->addWidget(heading);
+    words->addWidget(text);
+    words->addStretch(1);
+    auto* row = new QHBoxLayout(card);
+    row->addWidget(shown);
+    row->addLayout(words, 1);
+    m_rows->insertWidget(m_rows->count() - 1, card);
+    return card;
+}
+
+void ReliefWindow::addRelief(std::size_t place)
+{
+    const Relief& relief = m_found->list.reliefs[place];
+    QStringList lines{
+        gainText(relief.solved->energy, tr("%1 less strain over the limit"), tr("%1 more strain over the limit")),
+        gainText(relief.solved->area, tr("%1 less of the cover over it"), tr("%1 more of the cover over it"))};
+    if (relief.sewn > 0)
+        lines << (relief.kind == Relief::Kind::Dart
+                      ? tr("Sewn: %1 more").arg(lengthText(relief.sewn, 0))
+                      : tr("Sides of seams differ by %1 more").arg(lengthText(relief.sewn)));
+    if (relief.moved > 0)
+        lines << tr("Outlines change by %1").arg(lengthText(relief.moved));
+    QFrame* card = addCard(m_found->pictures[place], translated(relief.text), lines.join('\n'));
+    auto* show = new QPushButton(tr("Show where"), card);
+    show->setAutoDefault(false);
+    connect(show, &QPushButton::clicked, this, [this, id = relief.element] { m_selection.set({id}); });
+    auto* takes = new QPushButton(tr("Make it"), card);
+    takes->setAutoDefault(false);
+    takes->setAccessibleName(tr("Make it: %1").arg(translated(relief.text)));
+    connect(takes, &QPushButton::clicked, this, [this, place] { make(place); });
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(show);
+    row->addWidget(takes);
+    static_cast<QVBoxLayout*>(card->layout()->itemAt(1)->layout())->addLayout(row);
+}
+
+void ReliefWindow::make(std::size_t place)
+{
+    const Relief relief = m_found->list.reliefs[place];
+    m_found.reset(); // what the commit makes of the design is no surprise
+    m_document.commit(relief.edit);
+    forget(tr("Made. Undo takes it back; look again to see what helps now."));
+    m_selection.set({relief.element});
+}
+
+void ReliefWindow::forget(const QString& why)
+{
+    m_found.reset();
+    clearCards();
+    m_said->setText(why);
+}
+
+/// Who works on meanwhile has another design.
+void ReliefWindow::documentChanged()
+{
+    if ((!m_found && !m_run->running()) || m_document.committed() == m_start)
+        return;
+    if (m_run->running())
+        stop();
+    forget(tr("The design has changed meanwhile: look again."));
+}
+
+} // namespace bolster

@@ -1,0 +1,65 @@
+// Proposes changes of the pattern that relieve its cloth, with pictures, and makes those that are wanted.
+#pragma once
+
+#include "Document.h"
+#include "LatestJob.h"
+#include "ReliefJob.h"
+#include "Selection.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QFrame;
+class QLabel;
+class QVBoxLayout;
+
+namespace bolster {
+
+class CoverView;
+class DesignSession;
+class NumberBox;
+class RunRow;
+
+class ReliefWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, QWidget* parent = nullptr);
+    ~ReliefWindow() override;
+
+    /// Of the last search, as long as they are of the design as it is.
+    const ReliefList* found() const { return m_found ? &m_found->list : nullptr; }
+
+private:
+    void build();
+    QWidget* buildOrder();
+    void find();
+    void stop();
+    void take(ReliefFound found);
+    void showFound();
+    void clearCards();
+    QFrame* addCard(const QImage& picture, const QString& title, const QString& more);
+    void addRelief(std::size_t place);
+    void make(std::size_t place);
+    void forget(const QString& why);
+    void documentChanged();
+
+    DesignSession& m_session;
+    Document& m_document;
+    Selection& m_selection;
+    CoverView& m_view;
+
+    QCheckBox* m_ownLimit = nullptr;
+    NumberBox *m_limit = nullptr, *m_most = nullptr;
+    RunRow* m_run = nullptr;
+    QLabel* m_said = nullptr;
+    QWidget* m_cards = nullptr;
+    QVBoxLayout* m_rows = nullptr;
+
+    int m_asked = 0;
+    Design m_start; ///< of what is sought or was found
+    std::optional<ReliefFound> m_found;
+    LatestJob<ReliefWanted, ReliefFound> m_job; ///< last: it uses the others
+};
+
+} // namespace bolster

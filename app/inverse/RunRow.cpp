@@ -1,0 +1,41 @@
+#include "RunRow.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace bolster {
+
+RunRow::RunRow(QString text, QWidget* parent)
+    : QWidget(parent)
+    , m_text(std::move(text))
+    , m_bar(new QProgressBar(this))
+    , m_button(new QPushButton(this))
+{
+    m_bar->setRange(0, 100);
+    QSizePolicy keeps = m_bar->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    m_bar->setSizePolicy(keeps);
+    m_button->setDefault(true);
+    connect(m_button, &QPushButton::clicked, this, [this] { m_running ? emit stopped() : emit started(); });
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins({});
+    row->addWidget(m_bar, 1);
+    row->addWidget(m_button);
+    setRunning(false);
+}
+
+void RunRow::setRunning(bool running)
+{
+    m_running = running;
+    m_button->setText(running ? tr("&Stop") : m_text);
+    m_bar->setVisible(running);
+    m_bar->setValue(0);
+}
+
+void RunRow::setShare(double share)
+{
+    m_bar->setValue(static_cast<int>(100 * share));
+}
+
+} // namespace bolster

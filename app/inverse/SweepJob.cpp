@@ -1,0 +1,87 @@
+#include "SweepJob.h"
+
+#include "SolveFailure.h"
+#include "VertexAreas.h"
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+constexpr double shareLinear = 0.2; // of the time, when pieces are solved
+constexpr int linearPieces = 1000;  // that are counted
+constexpr int piecesAtOnce = 10;
+
+/// Returns false when it was stopped.
+bool addLinear(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const SweepNews& news,
+               const std::stop_token& stop)
+{
+    const double share = wanted.samples > 0 ? shareLinear : 1;
+    const Eigen::MatrixXf linear = sweep.linear([&](double done) { news(share * done, nullptr); }, stop);
+    if (stop.stop_requested())
+        return false;
+    found.p95 = linearP95(linear, wanted.tolerances, SweepFound::linearSamples, stop);
+    found.influence =
+        influences(linear, wanted.tolerances, vertexAreas(*found.nominal->topology, found.nominal->positions));
+    for (Eigen::Index k = 0; k < linear.cols(); k += 2)
+        found.mostMoved.push_back(static_cast<double>(linear.middleCols<2>(k).cwiseAbs().maxCoeff()));
+    for (int s = 0; s < linearPieces && !stop.stop_requested(); ++s)
+        found.out += linearSample(linear, wanted.tolerances, static_cast<std::uint64_t>(s)).p95 > wanted.limit;
+    return !stop.stop_requested();
+}
+
+void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const SweepNews& news,
+               const std::stop_token& stop)
+{
+    std::vector<SweepSample> all;
+    while (std::ssize(all) < wanted.samples) {
+        const int count = std::min(piecesAtOnce, wanted.samples - static_cast<int>(all.size()));
+        std::vector<SweepSample> next = sweep.solve(all.size(), count, stop);
+        if (stop.stop_requested())
+            return;
+        std::ranges::move(next, std::back_inserter(all));
+        news(shareLinear + (1 - shareLinear) * static_cast<double>(all.size()) / wanted.samples, nullptr);
+    }
+    std::vector<const SweepSample*> resting;
+    for (const SweepSample& sample : all)
+        if (!sample.outside.empty())
+            resting.push_back(&sample);
+    found.solved = static_cast<int>(all.size());
+    found.resting = static_cast<int>(resting.size());
+    if (!resting.empty())
+        found.p95 = solvedP95(resting);
+    found.out = static_cast<int>(
+        std::ranges::count_if(resting, [&](const SweepSample* sample) { return sample->p95 > wanted.limit; }));
+}
+
+} // namespace
+
+double SweepFound::outShare() const
+{
+    const int of = solved > 0 ? resting : linearPieces;
+    return of > 0 ? static_cast<double>(out) / of : 0;
+}
+
+SweepFound findSweep(const SweepWanted& wanted, const SweepNews& news, const std::stop_token& stop)
+{
+    SweepFound found;
+    found.number = wanted.number;
+    try {
+        Sweep sweep(wanted.input, wanted.tolerances, 0, stop);
+        found.problem = sweep.problem();
+        found.nominal = sweep.nominal();
+        if (!found.nominal || !addLinear(sweep, wanted, found, news, stop))
+            return found;
+        if (wanted.samples > 0) {
+            news(shareLinear, &found);
+            addSolved(sweep, wanted, found, news, stop);
+        }
+        found.whole = true;
+    } catch (const std::exception& error) {
+        found.problem = failureMessage(error);
+    }
+    return found;
+}
+
+} // namespace bolster

@@ -1,0 +1,360 @@
+#include "SweepWindow.h"
+
+#include "DesignSession.h"
+#include "ElementText.h"
+#include "MapLink.h"
+#include "NumberBox.h"
+#include "RunRow.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bolster {
+
+namespace {
+
+/// Tolerances of one kind.
+struct ToleranceKind {
+    const char* label;
+    const char* tip;
+    const char* row; ///< %1: the element
+    bool percent;
+    double usual; ///< 0: not unless it is wanted
+    std::vector<Tolerance> (*make)(const Design&, double);
+};
+
+const ToleranceKind kinds[] = {
+    {QT_TRANSLATE_NOOP("SweepWindow", "&Cut"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Each piece is cut so much larger or smaller all around"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Cut of %1"), false, 1, &cutTolerances},
+    {QT_TRANSLATE_NOOP("SweepWindow", "S&eams"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Each seam is sewn so much farther inside or outside, on both sides"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Seam %1"), false, 1, &seamTolerances},
+    {QT_TRANSLATE_NOOP("SweepWindow", "&Foam"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Each cushion and foam is so much thicker or thinner"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Thickness of %1"), false, 0, &foamTolerances},
+    {QT_TRANSLATE_NOOP("SweepWindow", "Fi&xations"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Each fixation curve lies so much elsewhere, along each axis"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Place of %1"), false, 1, &fixationTolerances},
+    {QT_TRANSLATE_NOOP("SweepWindow", "S&tiffness"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Each fabric is so much stiffer or softer"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Stiffness of %1"), true, 0, &stiffnessTolerances},
+    {QT_TRANSLATE_NOOP("SweepWindow", "Sh&rinkage"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Each piece shrinks or stretches by so much"),
+     QT_TRANSLATE_NOOP("SweepWindow", "Shrinkage of %1"), true, 0, &sizeTolerances},
+};
+
+constexpr int usualSamples = 100;
+constexpr double usualLimit = 3; // mm
+
+/// Along which axis a fixation goes, or nothing.
+QString axisText(const Tolerance& tolerance)
+{
+    const Freedom& first = tolerance.freedoms.front();
+    return first.kind == Freedom::Kind::CurvePlace ? QStringLiteral(", ") + QChar(u'x' + first.axis) : QString();
+}
+
+} // namespace
+
+SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& maps, QWidget* parent)
+    : QDialog(parent)
+    , m_session(session)
+    , m_document(session.document())
+    , m_selection(selection)
+    , m_maps(maps)
+    , m_job(
+          [this](const SweepWanted& wanted, const std::stop_token& stop) {
+              return findSweep(
+                  wanted,
+                  [this, number = wanted.number](double share, const SweepFound* found) {
+                      std::optional<SweepFound> known;
+                      if (found)
+                          known = *found;
+                      QMetaObject::invokeMethod(
+                          this,
+                          [this, number, share, known = std::move(known)] {
+                              if (number == m_asked)
+                                  m_run->setShare(share);
+                              if (known)
+                                  take(*known);
+                          },
+                          Qt::QueuedConnection);
+                  },
+                  stop);
+          },
+          [this](SweepFound found) { take(std::move(found)); })
+{
+    setWindowTitle(tr("Tolerances"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(&m_document, &Document::changed, this, &SweepWindow::documentChanged);
+    connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
+    connect(&m_maps, &MapLink::measured, this, &SweepWindow::mapsChanged);
+}
+
+SweepWindow::~SweepWindow()
+{
+    m_job.cancel();
+    m_maps.disconnect(this);
+    m_maps.setGuest(nullptr);
+}
+
+void SweepWindow::build()
+{
+    m_run = new RunRow(tr("&Draw pieces"), this);
+    connect(m_run, &RunRow::started, this, &SweepWindow::find);
+    connect(m_run, &RunRow::stopped, this, &SweepWindow::stop);
+    m_said = new QLabel(tr("Pieces are drawn at random within their tolerances: where does the cover vary, which "
+                           "tolerance matters, how many pieces are out of the limit?"),
+                        this);
+    m_said->setWordWrap(true);
+    m_said->setMinimumHeight(3 * m_said->fontMetrics().lineSpacing());
+    m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_shown = new QCheckBox(tr("&Show on the cover what 95 % of the pieces do not exceed"), this);
+    m_shown->setChecked(true);
+    m_shown->setEnabled(false);
+    connect(m_shown, &QCheckBox::toggled, this, &SweepWindow::showMap);
+    m_list = new QTreeWidget(this);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setHeaderLabels({tr("Tolerance"), tr("Share of the variance"), tr("Moves by at most")});
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setStretchLastSection(false);
+    m_list->setAccessibleName(tr("Tolerances by their influence"));
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &SweepWindow::rowChosen);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(buildTolerances());
+    layout->addWidget(buildPieces());
+    layout->addWidget(m_run);
+    layout->addWidget(m_said);
+    layout->addWidget(m_shown);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(buttons);
+    resize(540, 700);
+    if (const QWidget* window = parentWidget())
+        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+}
+
+QWidget* SweepWindow::buildTolerances()
+{
+    auto* box = new QGroupBox(tr("Tolerances (\u00b1); 0: none"), this);
+    auto* grid = new QGridLayout(box);
+    int place = 0;
+    for (const ToleranceKind& kind : kinds) {
+        auto* spread = new NumberBox({kind.percent ? tr(" %") : tr(" mm"), 2, 0, 50, 0.5, !kind.percent}, box);
+        spread->display(kind.usual);
+        spread->setToolTip(tr(kind.tip));
+        auto* label = new QLabel(tr(kind.label), box);
+        label->setBuddy(spread);
+        label->setToolTip(tr(kind.tip));
+        const int row = place / 3, column = 2 * (place % 3);
+        grid->addWidget(label, row, column);
+        grid->addWidget(spread, row, column + 1);
+        m_spreads.push_back(spread);
+        ++place;
+    }
+    for (const int column : {1, 3, 5})
+        grid->setColumnStretch(column, 1);
+    return box;
+}
+
+QWidget* SweepWindow::buildPieces()
+{
+    auto* box = new QGroupBox(tr("Pieces"), this);
+    m_drawn = new QComboBox(box);
+    m_drawn->addItem(tr("Every size within is as likely"));
+    m_drawn->addItem(tr("Normal: the tolerance is three standard deviations"));
+    m_drawn->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_drawn->setMinimumContentsLength(24);
+    m_samples = new NumberBox({QString(), 0, 0, 10'000, 50}, box);
+    m_samples->display(usualSamples);
+    m_samples->setToolTip(tr("Before them ten thousand are drawn as if covers were linear, which takes seconds"));
+    m_limit = new NumberBox({tr(" mm"), 2, 0.01, 1000, 0.5, true}, box);
+    m_limit->display(usualLimit);
+    m_limit->setToolTip(
+        tr("A piece is out of it when more than 5 % of its cover lie farther from where they should"));
+    auto* form = new QFormLayout(box);
+    form->addRow(tr("Dr&awn"), m_drawn);
+    form->addRow(tr("S&olved"), m_samples);
+    form->addRow(tr("&Limit"), m_limit);
+    return box;
+}
+
+void SweepWindow::addTolerances(Tolerances& tolerances)
+{
+    m_titles.clear();
+    for (std::size_t k = 0; k < std::size(kinds); ++k) {
+        if (!(m_spreads[k]->value() > 0))
+            continue;
+        for (Tolerance& one : kinds[k].make(m_start, m_spreads[k]->value())) {
+            m_titles.push_back(tr(kinds[k].row).arg(displayName(m_start, one.freedoms.front().element)) +
+                               axisText(one));
+            tolerances.all.push_back(std::move(one));
+        }
+    }
+}
+
+void SweepWindow::find()
+{
+    if (!takeTyped(*this))
+        return;
+    m_document.cancelGesture();
+    m_start = m_document.committed();
+    m_tolerances = {};
+    m_tolerances.normal = m_drawn->currentIndex() == 1;
+    addTolerances(m_tolerances);
+    if (m_tolerances.all.empty()) {
+        forget(tr("Nothing varies: give a tolerance above 0 of something that the design has."));
+        return;
+    }
+    forget(tr("Covers with each tolerance are solved \u2026"));
+    m_run->setRunning(true);
+    m_job.request({++m_asked,
+                   {m_start, m_session.files()},
+                   m_tolerances,
+                   static_cast<int>(m_samples->value()),
+                   m_limit->value()},
+                  true);
+}
+
+void SweepWindow::stop()
+{
+    ++m_asked;
+    m_job.cancel();
+    m_run->setRunning(false);
+    m_said->setText(m_found ? tr("Stopped. What is shown is from linear covers.") : tr("Stopped."));
+}
+
+void SweepWindow::take(SweepFound found)
+{
+    if (found.number != m_asked)
+        return;
+    if (!found.problem.empty() || found.p95.empty()) {
+        m_run->setRunning(false);
+        m_said->setText(translated(found.problem));
+        return;
+    }
+    const bool first = !m_found;
+    m_found = std::move(found);
+    if (m_found->whole)
+        m_run->setRunning(false);
+    say();
+    if (first)
+        fill();
+    m_shown->setEnabled(true);
+    showMap();
+}
+
+void SweepWindow::say()
+{
+    double squares = 0;
+    float most = 0;
+    for (const float value : m_found->p95) {
+        squares += static_cast<double>(value) * value;
+        most = std::max(most, value);
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(m_found->p95.size()));
+    QStringList lines{
+        tr("95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.")
+            .arg(lengthText(rms, 2), lengthText(static_cast<double>(most), 2)),
+        tr("Out of the limit: %1 of the pieces.").arg(percentText(std::round(1000 * m_found->outShare()) / 1000))};
+    if (!m_found->whole)
+        lines << tr("That is as if covers were linear; pieces are being solved \u2026");
+    else if (m_found->solved == 0)
+        lines << tr("That is as if covers were linear.");
+    else
+        lines << tr("By %n solved pieces.", nullptr, m_found->resting);
+    if (m_found->resting < m_found->solved)
+        lines << tr("%n pieces have no cover at rest on the same triangles.", nullptr,
+                    m_found->solved - m_found->resting);
+    m_said->setText(lines.join('\n'));
+}
+
+void SweepWindow::fill()
+{
+    m_list->clear();
+    std::vector<std::size_t> order(m_found->influence.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t k) { return m_found->influence[k]; });
+    const QSignalBlocker quiet(m_list); // the first row is not yet chosen
+    for (const std::size_t k : order) {
+        auto* row =
+            new QTreeWidgetItem(m_list, {m_titles[k], percentText(std::round(1000 * m_found->influence[k]) / 1000),
+                                         lengthText(m_found->mostMoved[k], 2)});
+        row->setData(0, Qt::UserRole, number(m_tolerances.all[k].freedoms.front().element));
+        row->setToolTip(0, m_titles[k]);
+        row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+    }
+}
+
+void SweepWindow::showMap()
+{
+    if (!m_found || !m_shown->isChecked()) {
+        m_maps.setGuest(nullptr);
+        return;
+    }
+    auto map = std::make_shared<ShownMap>();
+    map->topology = m_found->nominal->topology;
+    map->values = m_found->p95;
+    map->kind = MapScale::Kind::Sequential;
+    map->limit = ShownMap::usualLimit(static_cast<double>(*std::ranges::max_element(m_found->p95)));
+    map->title = tr("What 95 % of the pieces do not exceed");
+    map->unit = QStringLiteral(" mm");
+    m_maps.setGuest(std::move(map));
+}
+
+/// Who chooses another map does not see this one any more.
+void SweepWindow::mapsChanged()
+{
+    if (m_found && m_shown->isChecked() && !m_maps.hasGuest()) {
+        const QSignalBlocker quiet(m_shown);
+        m_shown->setChecked(false);
+    }
+}
+
+void SweepWindow::rowChosen()
+{
+    if (const QTreeWidgetItem* row = m_list->currentItem())
+        if (const auto id = static_cast<ElementId>(row->data(0, Qt::UserRole).toUInt());
+            m_document.design().element(id))
+            m_selection.set({id});
+}
+
+/// What was found is no longer of use.
+void SweepWindow::forget(const QString& why)
+{
+    m_found.reset();
+    m_list->clear();
+    m_shown->setEnabled(false);
+    m_maps.setGuest(nullptr);
+    m_said->setText(why);
+}
+
+void SweepWindow::documentChanged()
+{
+    if ((!m_found && !m_run->running()) || m_document.committed() == m_start)
+        return;
+    if (m_run->running())
+        stop();
+    forget(tr("The design has changed meanwhile: draw the pieces again."));
+}
+
+} // namespace bolster

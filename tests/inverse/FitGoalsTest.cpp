@@ -1,0 +1,125 @@
+// Goals of a fit beside a form and strain: no folds, a seam along a curve, a patch of another size.
+#include "ArcLength.h"
+#include "PatternFit.h"
+#include "PatternLocator.h"
+#include "TestFreedoms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace bolster::test {
+namespace {
+
+constexpr double coarseEdge = 25; // mm, so that a fit takes a second
+
+FitOrder orderFor(const Design& design)
+{
+    FitOrder order;
+    order.goals.keepShape = 0.5;
+    order.freedoms = outlineFreedoms(design);
+    return order;
+}
+
+ElementId firstPatch(const Design& design)
+{
+    ElementId found = noElement;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (found == noElement && !patch.twin)
+            found = id;
+    });
+    return found;
+}
+
+double patchArea(const Design& design, ElementId patch)
+{
+    return std::abs(design.find<Patch>(patch)->outline.signedArea());
+}
+
+TEST(FitGoals, APatchGetsTheSizeThatIsWanted)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    const ElementId patch = firstPatch(design);
+    FitOrder order = orderFor(design);
+    order.goals.sizes = {{patch, 0.95}};
+    const FitResult result = fitPattern(design, order);
+    ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
+    EXPECT_NEAR(result.before.sizeMost, 1 / 0.95 - 1, 1e-9);
+    EXPECT_LT(result.after.sizeMost, 0.01);
+    EXPECT_NEAR(patchArea(result.design, patch) / patchArea(design, patch), 0.95, 0.01);
+    EXPECT_LT(result.after.sewnMost, 0.5) << "what is sewn to it goes with it";
+}
+
+TEST(FitGoals, ASeamGoesToItsCurve)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    const SolveResult cover = solved(design, 1e-6);
+    ASSERT_TRUE(cover.surface);
+    const SurfaceTopology& topology = *cover.surface->topology;
+    ElementId chosen = noElement;
+    std::vector<Vec3> along;
+    design.each<Seam>([&](ElementId id, const Seam& seam) {
+        if (chosen != noElement || seam.a.patch == seam.b.patch)
+            return;
+        chosen = id;
+        const BSpline2& outline = design.find<Patch>(seam.a.patch)->outline;
+        const double end = unwrappedEnd(seam.a.from, seam.a.to, outline.domainStart(), outline.domainEnd());
+        const auto range = std::ranges::find(topology.patches, seam.a.patch, &SurfaceTopology::PatchRange::patch);
+        const PatternLocator locator(topology, *range);
+        for (int k = 0; k <= 12; ++k) {
+            const PatternPlace place =
+                locator.locate(outline.at(outline.wrapped(seam.a.from + (end - seam.a.from) * k / 12)));
+            Vec3 at = Vec3::Zero();
+            for (std::size_t c = 0; c < 3; ++c)
+                at += place.weights[static_cast<Eigen::Index>(c)] * cover.surface->positions[place.corners[c]];
+            along.push_back(at);
+        }
+    });
+    ASSERT_NE(chosen, noElement);
+    // A seam between top and side goes a little down the side.
+    for (std::size_t k = 2; k + 2 < along.size(); ++k)
+        along[k].z() -= 5;
+    FitOrder order = orderFor(design);
+    order.goals.seams = {{chosen, BSpline3(1, false, along)}};
+    const FitResult result = fitPattern(design, order);
+    ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
+    EXPECT_GT(result.before.seamRms, 3);
+    EXPECT_LT(result.after.seamRms, 0.5 * result.before.seamRms);
+    EXPECT_LT(result.after.shapeRms, 2) << "mm: the cover stays about where it is";
+}
+
+TEST(FitGoals, ClothThatIsPressedTogetherGetsSmooth)
+{
+    const Design right = coarseSample("box-cushion", coarseEdge);
+    const ElementId patch = firstPatch(right);
+    Patch wide = *right.find<Patch>(patch);
+    std::vector<Vec2> points = wide.outline.points();
+    const Vec2 middle = wide.outline.boundingBox().center();
+    for (Vec2& point : points)
+        point = middle + 1.05 * (point - middle);
+    wide.outline = wide.outline.withPoints(points);
+    const Design design = right.with({{}, {{patch, right.element(patch), makeElement(std::move(wide))}}});
+    FitOrder order = orderFor(design);
+    order.locks.lengths = false; // its seams are too long for their other sides
+    order.goals.smooth = {patch};
+    const FitResult result = fitPattern(design, order);
+    ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
+    EXPECT_GT(result.before.pressed, 0.2);
+    EXPECT_LT(result.after.pressed, 0.5 * result.before.pressed);
+}
+
+TEST(FitGoals, AnElementThatIsGoneIsNoGoal)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    FitOrder order = orderFor(design);
+    order.mostRounds = 1;
+    order.goals.sizes = {{static_cast<ElementId>(99999), 0.5}};
+    order.goals.seams = {{static_cast<ElementId>(99999), BSpline3(1, false, {Vec3::Zero(), Vec3::UnitX()})}};
+    const FitResult result = fitPattern(design, order);
+    EXPECT_NE(result.status, FitResult::Status::Failed) << result.reason.english();
+    EXPECT_EQ(result.after.sizeMost, 0);
+    EXPECT_EQ(result.after.seamRms, 0);
+}
+
+} // namespace
+} // namespace bolster::test
