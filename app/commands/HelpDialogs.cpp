@@ -52,6 +52,7 @@ void showText(QWidget* parent, const QString& title, const QString& html, const 
     auto* scroll = new QScrollArea(dialog);
     scroll->setWidget(label);
     scroll->setWidgetResizable(true);
+    scroll->setAccessibleName(dialog->windowTitle());
     scroll->setFrameShape(QFrame::NoFrame);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);

@@ -72,6 +72,11 @@ ShortcutsDialog::ShortcutsDialog(Shortcuts& shortcuts, const QList<MenuEntry>& c
 void ShortcutsDialog::build()
 {
     m_search->setPlaceholderText(tr("Find a command or a key"));
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_tree->setAccessibleName(tr("Commands"));
+    m_keys->setAccessibleName(tr("Keys"));
+    if (auto* typed = m_keys->findChild<QLineEdit*>())
+        typed->setAccessibleName(m_keys->accessibleName());
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     m_tree->setColumnCount(2);

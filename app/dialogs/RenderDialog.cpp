@@ -97,6 +97,7 @@ void RenderDialog::build()
     addMessages(*right);
 
     m_picture = new QLabel(this);
+    m_picture->setAccessibleName(tr("Preview"));
     m_picture->setFixedSize(roughPreview * 3 / 2);
     m_picture->setAlignment(Qt::AlignCenter);
     m_picture->setFrameShape(QFrame::StyledPanel);
@@ -173,6 +174,8 @@ QFormLayout* RenderDialog::buildForm()
     auto* form = new QFormLayout;
     auto* sizeLabel = new QLabel(tr("&Size:"), this); // of a layout a form makes no buddy
     sizeLabel->setBuddy(m_width);
+    m_width->setAccessibleName(tr("Width"));
+    m_height->setAccessibleName(tr("Height"));
     form->addRow(sizeLabel, size);
     form->addRow(tr("&View:"), m_view);
     form->addRow(tr("Sho&w:"), m_shown);
@@ -190,6 +193,7 @@ void RenderDialog::addMessages(QVBoxLayout& layout)
     m_message->setWordWrap(true);
     m_message->setOpenExternalLinks(true);
     m_message->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    m_message->setAccessibleName(tr("What was made"));
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 100);
     m_progress->setTextVisible(false);

@@ -83,6 +83,7 @@ void ReliefWindow::build()
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(m_cards);
     scroll->setWidgetResizable(true);
+    scroll->setAccessibleName(tr("Proposed changes"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

@@ -17,6 +17,8 @@ QDockWidget* newDock(QMainWindow& window, const QString& name, const QString& ti
     dock->setObjectName(name); // under which the arrangement is kept
     dock->setTitleBarWidget(new DockTitle(dock));
     dock->setWidget(part);
+    if (part->accessibleName().isEmpty())
+        part->setAccessibleName(title);
     return dock;
 }
 

@@ -5,22 +5,46 @@
 #include "EveryDialog.h"
 #include "Translations.h"
 
+#include <QAbstractButton>
 #include <QDir>
+#include <QGroupBox>
 #include <QLocale>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QTranslator>
 
 namespace bolster {
 namespace {
 
+/// Words that are longer than those of any language, in brackets, so that what nobody translates is seen.
+class PseudoLanguage : public QTranslator {
+public:
+    using QTranslator::QTranslator;
+
+    QString translate(const char*, const char* source, const char*, int) const override
+    {
+        QString text = QString::fromUtf8(source);
+        const bool dots = text.endsWith(u'\u2026');
+        return u'[' + text + QString(text.size() * 2 / 5, u'\u00f6') +
+               (dots ? QStringLiteral("]\u2026") : QStringLiteral("]"));
+    }
+    bool isEmpty() const override { return false; }
+};
+
 /// As chosen before the program starts; then as it was.
 class Spoken {
 public:
+    static constexpr const char* pseudo = "pseudo";
+
     Spoken(const QString& language, double size)
         : m_font(QApplication::font())
     {
-        QLocale::setDefault(QLocale(language));
-        installTranslations(*qApp, QLocale(language));
+        if (language == pseudo) {
+            QCoreApplication::installTranslator(new PseudoLanguage(qApp));
+        } else {
+            QLocale::setDefault(QLocale(language));
+            installTranslations(*qApp, QLocale(language));
+        }
         QFont larger = m_font;
         larger.setPointSizeF(m_font.pointSizeF() * size);
         QApplication::setFont(larger);
@@ -41,14 +65,37 @@ private:
     QFont m_font;
 };
 
+/// Titles and buttons that are said in English whatever the language.
+QStringList untranslated(const QWidget& shown)
+{
+    QStringList found;
+    const auto look = [&](const QString& text) {
+        if (text.contains(QRegularExpression(QStringLiteral("[A-Za-z]{3}"))) && !text.contains(u'['))
+            found << text;
+    };
+    look(shown.windowTitle());
+    for (const auto* button : shown.findChildren<QAbstractButton*>())
+        if (button->isVisible() && !button->property("data").toBool())
+            look(button->text());
+    for (const auto* box : shown.findChildren<QGroupBox*>())
+        look(box->title());
+    return found;
+}
+
 /// What is cut off in a language; its dialogs with the sample's first patch and seam selected.
-QStringList clippedIn(const QString& language, double size)
+QStringList faultsIn(const QString& language, double size)
 {
     const Spoken spoken(language, size);
     QStringList found;
     const auto note = [&](const QWidget& shown, const QString& where) {
         for (const QString& text : test::clippedTexts(shown))
             found << QStringLiteral("%1, %2 %, %3: %4").arg(language).arg(100 * size).arg(where, text);
+        if (language == Spoken::pseudo)
+            for (const QString& text : untranslated(shown))
+                found << QStringLiteral("%1: not translated: %2").arg(where, text);
+        if (const QString folder = qEnvironmentVariable("BOLSTER_PICTURES"); !folder.isEmpty())
+            const_cast<QWidget&>(shown).grab().save(
+                QStringLiteral("%1/%2-%3-%4.png").arg(folder, language).arg(100 * size).arg(where));
     };
     MainWindow window;
     window.resize(1560, 960);
@@ -81,7 +128,8 @@ TEST(Languages, AreTheEight)
     EXPECT_EQ(languages(), (std::vector<std::string>{"de", "en", "es", "fr", "it", "ja", "pl", "zh_CN"}));
 }
 
-/// All sizes with BOLSTER_ALL_SIZES=1; else the one in the middle.
+/// All sizes with BOLSTER_ALL_SIZES=1; else the one in the middle. BOLSTER_PICTURES=FOLDER keeps what was looked
+/// at.
 TEST(Languages, NothingIsCutOffInAnyOfThem)
 {
     std::vector<double> sizes = {1.45};
@@ -89,9 +137,15 @@ TEST(Languages, NothingIsCutOffInAnyOfThem)
         sizes = {1, 1.45, 2};
     for (const std::string& language : languages())
         for (const double size : sizes) {
-            const QStringList clipped = clippedIn(QString::fromStdString(language), size);
-            EXPECT_TRUE(clipped.isEmpty()) << clipped.join('\n').toStdString();
+            const QStringList faults = faultsIn(QString::fromStdString(language), size);
+            EXPECT_TRUE(faults.isEmpty()) << faults.join('\n').toStdString();
         }
+}
+
+TEST(Languages, EveryTitleAndButtonCanBeTranslated)
+{
+    const QStringList faults = faultsIn(Spoken::pseudo, 1);
+    EXPECT_TRUE(faults.isEmpty()) << faults.join('\n').toStdString();
 }
 
 using AccessibleTest = WindowTest;

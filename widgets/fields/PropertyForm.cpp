@@ -299,6 +299,7 @@ void PropertyForm::addSlider(const QString& label, const NumberBox::Range& range
     slider->setFocusPolicy(Qt::StrongFocus);
     slider->installEventFilter(new WheelGuard(slider));
     auto* box = new NumberBox(range, row);
+    box->setAccessibleName(label);
     layout->addWidget(slider, 1);
     layout->addWidget(box);
     connect(box, &NumberBox::entered, this, write);
@@ -334,6 +335,7 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     for (int i = 0; i < count; ++i) {
         auto* box = new NumberBox(bare, row);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setAccessibleName(QStringLiteral("%1, %2").arg(label).arg(i + 1));
         // Coordinates of a room in full.
         box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-8888.888")) + 14);
         connect(box, &NumberBox::entered, this, [i, write](double value) { write(i, value); });

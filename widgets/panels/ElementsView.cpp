@@ -122,6 +122,8 @@ ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet&
 
     auto* search = m_search = new QLineEdit(this);
     search->setPlaceholderText(tr("Find an element"));
+    search->setAccessibleName(search->placeholderText());
+    m_tree->setAccessibleName(tr("Elements"));
     search->setClearButtonEnabled(true);
     search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {

@@ -14,6 +14,8 @@ HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     , m_view(new HistoryView(document, this))
 {
     m_search->setPlaceholderText(tr("Find a change or a version"));
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_view->setAccessibleName(tr("History"));
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     connect(m_search, &QLineEdit::textChanged, m_view, &HistoryView::setFilter);

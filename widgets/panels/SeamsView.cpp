@@ -142,6 +142,7 @@ SeamsView::SeamsView(Document& document, Selection& selection, QWidget* parent)
     m_sorted->setSortRole(SeamsModel::SortRole);
     m_sorted->setSortLocaleAware(true);
     buildTable();
+    m_table->setAccessibleName(tr("Seams"));
 
     auto* hint = new QLabel(tr("No seams yet. Choose the sewing tool (W), then click the two edges that belong "
                                "together."));
