@@ -23,9 +23,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 # What the programs are linked with, dpkg-shlibdeps finds. The rest is loaded while they run: OpenGL and EGL by Qt's plugins
-# for X11 (in libqt6gui6, with the readers of JPEG), icons by the plugin in libqt6svg6.
+# for X11 (in libqt6gui6, with the readers of JPEG), icons by the plugin in libqt6svg6, with which the program is linked, too.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, libgl1, libegl1")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1, libegl1")
 # Windows under Wayland, words on standard buttons in other languages.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, qt6-translations-l10n, shared-mime-info, bash-completion")
 
