@@ -40,13 +40,10 @@ set(bolster_documents "${CMAKE_INSTALL_DATADIR}/doc/bolster")
 install(FILES LICENSE README.md ARCHITECTURE.md CONTRIBUTING.md DESTINATION "${bolster_documents}"
     COMPONENT documents)
 install(DIRECTORY docs DESTINATION "${bolster_documents}" COMPONENT documents
-    PATTERN manual EXCLUDE)
-# The manual, where the program looks for it, without the scripts that make parts of it; and as in the sources, for links.
-if(EXISTS "${PROJECT_SOURCE_DIR}/docs/manual")
-    install(DIRECTORY docs/manual DESTINATION "${bolster_documents}" COMPONENT documents
-        FILES_MATCHING PATTERN "*.md" PATTERN "*.tsv" PATTERN "*.png")
+    PATTERN "make-*" EXCLUDE)
+if(EXISTS "${PROJECT_SOURCE_DIR}/docs/manual") # where whoever looks for a manual looks first
     install(CODE "
-        file(CREATE_LINK ../manual \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}/docs/manual\" SYMBOLIC)"
+        file(CREATE_LINK docs/manual \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}/manual\" SYMBOLIC)"
         COMPONENT documents)
 endif()
 install(CODE "
