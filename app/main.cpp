@@ -1,8 +1,12 @@
 // Bolster: the workbench, or a subcommand without a window.
+#include "Ask.h"
 #include "CommandLine.h"
 #include "Icons.h"
 #include "MainWindow.h"
+#include "PortableFolder.h"
+#include "ProgramPlace.h"
 #include "Theme.h"
+#include "Translated.h"
 #include "Translations.h"
 
 #include <QApplication>
@@ -10,7 +14,9 @@
 #include <QLocale>
 #include <QProcess>
 
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 namespace {
 
@@ -25,10 +31,46 @@ bool hasDisplay()
 #endif
 }
 
-/// In a program of its own: whatever happens to one design, the others go on.
-void openInWindowOfItsOwn(const QString& path)
+const char* const portableOption = "--portable";
+
+/// Takes the option out of the words, for whom it is not there.
+bool takePortable(int& argc, char** argv)
 {
-    QProcess::startDetached(QCoreApplication::applicationFilePath(), {QFileInfo(path).absoluteFilePath()});
+    if (argc < 2 || std::string_view(argv[1]) != portableOption)
+        return false;
+    std::rotate(argv + 1, argv + 2, argv + argc);
+    argv[--argc] = nullptr;
+    return true;
+}
+
+/// In a program of its own: whatever happens to one design, the others go on.
+void openInWindowOfItsOwn(const QString& path, bool portable)
+{
+    QStringList words{QFileInfo(path).absoluteFilePath()};
+    if (portable)
+        words.prepend(QLatin1String(portableOption));
+    QProcess::startDetached(QCoreApplication::applicationFilePath(), words);
+}
+
+void prepare(QApplication& application)
+{
+    QCoreApplication::setApplicationVersion(QStringLiteral(BOLSTER_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("bolster"));
+    QApplication::setWindowIcon(bolster::icon(QStringLiteral("bolster")));
+    bolster::installTranslations(application, QLocale());
+}
+
+/// Without the folder of a portable Bolster nothing begins: work would lie where nobody looks for it.
+int refuse(int argc, char** argv, const bolster::Message& problem)
+{
+    std::fprintf(stderr, "bolster: %s\n", problem.english().c_str());
+    if (argc > 1 || !hasDisplay())
+        return 1;
+    QApplication application(argc, argv);
+    prepare(application);
+    bolster::tell(nullptr, QMessageBox::Critical, bolster::translated(problem), {});
+    QApplication::exec();
+    return 1;
 }
 
 } // namespace
@@ -38,6 +80,10 @@ int main(int argc, char* argv[])
     using namespace bolster;
     QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
+    const bool portable = takePortable(argc, argv);
+    if (const QString folder = portableFolder(programFolder(), portable); !folder.isEmpty())
+        if (const Message problem = keepEverythingIn(folder); !problem.empty())
+            return refuse(argc, argv, problem);
     if (const std::optional<int> code = runCommandLine(argc, argv))
         return *code;
 
@@ -46,10 +92,7 @@ int main(int argc, char* argv[])
         return 1;
     }
     QApplication application(argc, argv);
-    QCoreApplication::setApplicationVersion(QStringLiteral(BOLSTER_VERSION));
-    QGuiApplication::setDesktopFileName(QStringLiteral("bolster"));
-    QApplication::setWindowIcon(icon(QStringLiteral("bolster")));
-    installTranslations(application, QLocale());
+    prepare(application);
     applyTheme(application, storedTheme());
 
     MainWindow window;
@@ -60,6 +103,6 @@ int main(int argc, char* argv[])
     else
         window.open(designs.front());
     for (const QString& another : designs.mid(1))
-        openInWindowOfItsOwn(another);
+        openInWindowOfItsOwn(another, portable);
     return QApplication::exec();
 }

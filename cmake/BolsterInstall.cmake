@@ -1,12 +1,36 @@
 # Where an installed Bolster and its files go.
 include(GNUInstallDirs)
 
+set(bolster_helpers
+    bolster_image_decoder bolster_cad_reader bolster_scene_reader bolster_salvager bolster_bench_program)
 install(TARGETS bolster RUNTIME)
-install(TARGETS bolster_image_decoder bolster_cad_reader bolster_scene_reader bolster_salvager bolster_bench_program RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/bolster")
+install(TARGETS ${bolster_helpers} RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/bolster")
 install(TARGETS bolster_imaging_module LIBRARY DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/bolster")
+
+# On the desktop: menu, kind of file, icons, pictures of projects in file managers, the entry of software centres.
 install(FILES resources/bolster.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES resources/bolster-mime.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME bolster.xml)
 install(FILES resources/icons/bolster.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+foreach(kind IN ITEMS project design)
+    install(FILES resources/packaging/document.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/mimetypes"
+        RENAME application-x-bolster-${kind}.svg)
+endforeach()
+install(FILES resources/packaging/bolster.thumbnailer DESTINATION "${CMAKE_INSTALL_DATADIR}/thumbnailers")
+install(FILES resources/packaging/org.bolster.Bolster.metainfo.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+
+# In the shell. The page is what the program says of itself.
+install(FILES resources/packaging/bolster.bash-completion
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME bolster)
+set(bolster_man_page "${PROJECT_BINARY_DIR}/bolster.1.gz")
+add_custom_command(OUTPUT "${bolster_man_page}"
+    COMMAND "${PROJECT_SOURCE_DIR}/resources/packaging/man-page" "$<TARGET_FILE:bolster>" "${bolster_man_page}"
+    DEPENDS bolster resources/packaging/man-page
+    COMMENT "Writing the manual page" VERBATIM)
+install(FILES "${bolster_man_page}" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+# All that is installed, without tests.
+add_custom_target(bolster_shipped ALL
+    DEPENDS "${bolster_man_page}" bolster ${bolster_helpers} bolster_imaging_module)
+
 install(DIRECTORY resources/samples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/bolster/samples" COMPONENT samples
     PATTERN tools EXCLUDE
     PATTERN README.md EXCLUDE)
@@ -15,7 +39,13 @@ install(DIRECTORY resources/samples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/bolst
 set(bolster_documents "${CMAKE_INSTALL_DATADIR}/doc/bolster")
 install(FILES LICENSE README.md ARCHITECTURE.md CONTRIBUTING.md DESTINATION "${bolster_documents}"
     COMPONENT documents)
-install(DIRECTORY docs DESTINATION "${bolster_documents}" COMPONENT documents)
+install(DIRECTORY docs DESTINATION "${bolster_documents}" COMPONENT documents
+    PATTERN "make-*" EXCLUDE)
+if(EXISTS "${PROJECT_SOURCE_DIR}/docs/manual") # where whoever looks for a manual looks first
+    install(CODE "
+        file(CREATE_LINK docs/manual \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}/manual\" SYMBOLIC)"
+        COMPONENT documents)
+endif()
 install(CODE "
     set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}/resources\")
     file(MAKE_DIRECTORY \"\${folder}\")

@@ -31,8 +31,7 @@ Exit code:
 int bench(std::span<const std::string> words)
 {
     Arguments(words, benchOptions).expectNoFile();
-    const QByteArray program =
-        QFile::encodeName(helperProgram(QStringLiteral("bolster-bench"), QStringLiteral(BOLSTER_BENCH)));
+    const QByteArray program = QFile::encodeName(helperProgram("bolster-bench", "app/cli"));
     std::vector<std::string> all = {program.toStdString()};
     all.insert(all.end(), words.begin(), words.end());
     std::vector<char*> argv;

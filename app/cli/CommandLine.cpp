@@ -32,8 +32,11 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
+       bolster thumbnail PROJECT OUT.png
+                                    copy the small picture kept in a project
        bolster bench                measure the solver against other libraries
        bolster COMMAND --help       explain a command
+       bolster --portable ...       keep settings and work beside the program
        bolster --version            print the version
 
 Bolster turns a sewing pattern, its seams and the curves that hold it on a frame
@@ -55,6 +58,7 @@ const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
                             {"history", cli::historyHelp, cli::history},
                             {"verify", cli::verifyHelp, cli::verify},
                             {"salvage", cli::salvageHelp, cli::salvage},
+                            {"thumbnail", cli::thumbnailHelp, cli::thumbnail},
                             {"export", cli::exportHelp, cli::exportPattern},
                             {"flatten", cli::flattenHelp, cli::flattenForm},
                             {"fit-pattern", cli::fitPatternHelp, cli::fitPattern},

@@ -1,6 +1,7 @@
 #include "Samples.h"
 
-#include <QCoreApplication>
+#include "ProgramPlace.h"
+
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -34,13 +35,16 @@ QList<Sample> fromIndex(const QDir& folder)
 
 } // namespace
 
+/// A build has a link to those of the sources.
 QString samplesFolder()
 {
-    const QDir program(QCoreApplication::applicationDirPath());
-    for (const QString& folder :
-         {program.filePath(QStringLiteral("../share/bolster/samples")), QStringLiteral(BOLSTER_SAMPLES_SOURCE)})
-        if (QDir(folder).exists())
-            return QDir(folder).canonicalPath();
+    const std::filesystem::path program = programFolder();
+    const std::filesystem::path build = buildAround(program);
+    for (const std::filesystem::path& folder :
+         {program.empty() ? program : program / ".." / "share" / "bolster" / "samples",
+          build.empty() ? build : build / "samples"})
+        if (const QString path = QString::fromStdString(folder.string()); !path.isEmpty() && QDir(path).exists())
+            return QDir(path).canonicalPath();
     return {};
 }
 

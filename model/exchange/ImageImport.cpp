@@ -95,7 +95,7 @@ ImageOutcome outcomeOf(ImageStreamReader& reader, const std::string& name)
 
 QString ImageDecoder::usualProgram()
 {
-    return helperProgram(QStringLiteral("bolster-image"), QStringLiteral(BOLSTER_IMAGE_DECODER));
+    return helperProgram("bolster-image", "model/image");
 }
 
 ImageOutcome importImage(const QString& path, const std::stop_token& stop, const ImageDecoder& decoder)

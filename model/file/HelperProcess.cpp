@@ -1,8 +1,8 @@
 #include "HelperProcess.h"
 
+#include "ProgramPlace.h"
 #include "Sanitizer.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QProcess>
 
@@ -68,16 +68,10 @@ void prepare(QProcess& process, const HelperOrder& order, const DiskFile& input,
 
 } // namespace
 
-/// Not QCoreApplication::applicationDirPath(): the command line has no application object, and would look below
-/// whatever folder it was started in.
-QString helperProgram(const QString& name, const QString& ofThisBuild)
+QString helperProgram(const char* name, const char* folderInBuild)
 {
-    const QString self = QFileInfo(QStringLiteral("/proc/self/exe")).symLinkTarget();
-    const QString installed = QFileInfo(self).absolutePath() + QStringLiteral("/../libexec/bolster/") + name;
-    for (const QString& program : {self.isEmpty() ? QString() : installed, ofThisBuild})
-        if (!program.isEmpty() && QFileInfo(program).isExecutable())
-            return QDir::cleanPath(program);
-    return {};
+    const QString program = QString::fromStdString(shippedFile(name, folderInBuild).string());
+    return QFileInfo(program).isExecutable() ? program : QString();
 }
 
 void confine(QProcess& process, const HelperLimits& limits, const QString& temporaryFolder)

@@ -15,9 +15,8 @@ class QProcess;
 
 namespace bolster {
 
-/// The program of this installation ("../libexec/bolster" from this program), or that of this build; "" when there
-/// is none.
-QString helperProgram(const QString& name, const QString& ofThisBuild);
+/// The program of this installation, or that which this build makes in `folderInBuild`; "" when there is none.
+QString helperProgram(const char* name, const char* folderInBuild);
 
 struct HelperLimits {
     std::uint64_t memory = 0;          ///< bytes of address space, libraries included

@@ -115,6 +115,28 @@ std::string projectUuid(const QString& path)
     }
 }
 
+ProjectPicture projectPicture(const QString& path)
+{
+    ProjectPicture picture;
+    picture.problem = headProblem(path, picture.damaged);
+    if (!picture.problem.empty())
+        return picture;
+    try {
+        Database database(path, Database::Access::AtRest);
+        checkTables(database); // a column of other tables may take for ever
+        Query query(database, "SELECT png FROM thumbnail WHERE node <= (SELECT node FROM state LIMIT 1) "
+                              "ORDER BY node DESC LIMIT 1");
+        if (query.next())
+            picture.png = query.blob(0);
+        picture.damaged = false;
+    } catch (const DatabaseError& error) {
+        picture.problem = error.message;
+    } catch (const std::bad_alloc&) {
+        picture = {{}, {QT_TRANSLATE_NOOP("Message", "there is not enough memory for this project"), {}}, false};
+    }
+    return picture;
+}
+
 OpenedProject openProject(const QString& path, ProjectCheck check)
 {
     bool damaged = false;

@@ -56,6 +56,16 @@ bool looksLikeProject(const QString& path);
 /// The project's name among all, or "" when it cannot be read; nothing else is looked at. Of a journal, too.
 std::string projectUuid(const QString& path);
 
+struct ProjectPicture {
+    std::string png;      ///< bytes that anybody may have made; empty when there is none
+    Message problem;      ///< why the project cannot be read
+    bool damaged = false; ///< that is why
+};
+
+/// The small picture of the current version, or of the newest before it that has one. Nothing else of the project is
+/// looked at, so that it is quick, however long the history is.
+ProjectPicture projectPicture(const QString& path);
+
 /// Opens a project file without changing it. Nothing but a problem when anything is wrong with it: see
 /// salvageProject.
 OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck::ToWork);

@@ -84,6 +84,7 @@ protected:
                            {"dump", file, "--history"},
                            {"history", file},
                            {"verify", file},
+                           {"thumbnail", file, path("out.png")},
                            {"salvage", file, path("out.bolster")}});
     }
 
@@ -254,6 +255,7 @@ TEST_F(HostileFiles, PipesAreRefusedWhereverTheyComeIn)
                                             {"dump", fifo},
                                             {"history", fifo},
                                             {"verify", fifo},
+                                            {"thumbnail", fifo, path("a.png")},
                                             {"import", fifo, path("a.bolster")},
                                             {"salvage", fifo, path("a.bolster")},
                                             {"solve", seat, "--obj", fifo},

@@ -8,8 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QBuffer>
+#include <QColor>
 #include <QDir>
 #include <QFileInfo>
+#include <QImage>
 
 namespace bolster {
 namespace {
@@ -33,12 +36,13 @@ protected:
     }
 
     /// A project of a small design with one edit and an undo.
-    QString project() const
+    QString project(const std::map<NodeId, std::string>& pictures = {}) const
     {
+        const QString own = path("journal" + QString::number(QDir(m_folder.path()).count()));
         Design design = readDesign(R"({"format": "bolster-design", "version": 1, "elements": [
             {"id": 1, "kind": "fabric", "name": "Leather"}]})")
                             .design;
-        const Journal::Opened opened = Journal::create(path("journal"), design);
+        const Journal::Opened opened = Journal::create(own, design);
         History history = opened.project.history;
         for (const char* name : {"Wool", "Silk"}) {
             const Edit edit = edits::renameElement(design, ElementId{1}, name);
@@ -48,8 +52,21 @@ protected:
         design = *history.moveTo(1, design);
         EXPECT_TRUE(opened.journal->record(history, design).empty());
         EXPECT_TRUE(opened.journal->setNames(1, "Cheap one", "Fabrics").empty());
+        for (const auto& [node, png] : pictures)
+            EXPECT_TRUE(opened.journal->setThumbnail(node, png).empty());
         EXPECT_TRUE(opened.journal->save(path("a.bolster")).empty());
         return path("a.bolster");
+    }
+
+    static std::string png(int width, int height, const QColor& color)
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QImage image(width, height, QImage::Format_RGBA8888);
+        image.fill(color);
+        EXPECT_TRUE(image.save(&buffer, "PNG"));
+        return bytes.toStdString();
     }
 };
 
@@ -156,13 +173,50 @@ TEST_F(ProjectCommands, VerifySeesDamage)
 
 TEST_F(ProjectCommands, EachExplainsItselfAndItsWrongUse)
 {
-    for (const char* command : {"dump", "import", "history", "verify"}) {
+    for (const char* command : {"dump", "import", "history", "verify", "thumbnail"}) {
         EXPECT_TRUE(callCommandLine({command, "--help"}).out.starts_with(std::string("Usage: bolster ") + command));
         EXPECT_EQ(callCommandLine({command}).exitCode, 2);
         EXPECT_EQ(callCommandLine({command, "a", "b", "c"}).exitCode, 2);
         EXPECT_EQ(callCommandLine({command, "a", "--frobnicate"}).exitCode, 2);
     }
     EXPECT_EQ(callCommandLine({"dump", sample("box-cushion"), "--history"}).exitCode, 2);
+}
+
+TEST_F(ProjectCommands, ThumbnailCopiesThePictureOfTheCurrentVersion)
+{
+    // Version 1 is the current one; 2 is another branch's.
+    const QString file =
+        project({{0, png(40, 30, Qt::green)}, {1, png(192, 144, Qt::red)}, {2, png(40, 30, Qt::blue)}});
+    const std::string before = read("a.bolster");
+    const QString out = path("out.png");
+    ASSERT_EQ(runProgram({"thumbnail", file, out}).exitCode, 0);
+    EXPECT_EQ(QImage(out).size(), QSize(192, 144)) << "a smaller one stays as it is";
+    EXPECT_EQ(QImage(out).pixelColor(96, 72), QColor(Qt::red));
+    ASSERT_EQ(runProgram({"thumbnail", "--size", "64", "--", file, out}).exitCode, 0);
+    EXPECT_EQ(QImage(out).size(), QSize(64, 48));
+    EXPECT_EQ(read("a.bolster"), before);
+}
+
+TEST_F(ProjectCommands, ThumbnailDrawsNothing)
+{
+    const QString out = path("out.png");
+    const auto refused = [&](const QString& file, int code, const char* words) {
+        const ProgramRun run = runProgram({"thumbnail", file, out});
+        EXPECT_EQ(run.exitCode, code) << run.err;
+        EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+        EXPECT_FALSE(QFileInfo::exists(out));
+    };
+    refused(project({{2, png(40, 30, Qt::blue)}}), 1, "has no picture");
+    refused(project({{1, "no picture"}}), 1, "the picture in");
+    std::string bomb = png(8, 8, Qt::blue);
+    bomb[16] = bomb[20] = 0x7f; // its head promises two thousand million pixels each way
+    refused(project({{1, bomb}}), 1, "the picture in");
+    refused(write("text.bolster", "no project"), 2, "no Bolster project");
+    refused(path("none"), 2, "none");
+    const std::string whole = read("a.bolster");
+    refused(write("cut.bolster", whole.substr(0, whole.size() / 2)), 2, "damaged");
+    EXPECT_EQ(runProgram({"thumbnail", path("a.bolster"), path("a.bolster")}).exitCode, 2);
+    EXPECT_EQ(read("a.bolster"), whole);
 }
 
 } // namespace

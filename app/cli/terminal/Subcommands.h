@@ -24,6 +24,7 @@ int relieve(std::span<const std::string> words);
 int sweep(std::span<const std::string> words);
 int history(std::span<const std::string> words);
 int verify(std::span<const std::string> words);
+int thumbnail(std::span<const std::string> words);
 int salvage(std::span<const std::string> words);
 
 extern const char* const checkHelp;
@@ -42,6 +43,7 @@ extern const char* const sweepHelp;
 extern const char* const relieveHelp;
 extern const char* const historyHelp;
 extern const char* const verifyHelp;
+extern const char* const thumbnailHelp;
 extern const char* const salvageHelp;
 
 } // namespace bolster::cli

@@ -196,12 +196,12 @@ ImportedAssembly assemblyOutcome(AssemblyStream& stream, const std::string& name
 
 QString AssemblyReaders::usualCad()
 {
-    return helperProgram(QStringLiteral("bolster-cad"), QStringLiteral(BOLSTER_CAD_READER));
+    return helperProgram("bolster-cad", "model/assembly");
 }
 
 QString AssemblyReaders::usualScene()
 {
-    return helperProgram(QStringLiteral("bolster-scene"), QStringLiteral(BOLSTER_SCENE_READER));
+    return helperProgram("bolster-scene", "model/assembly");
 }
 
 bool isAssemblyEnding(const QString& ending)

@@ -122,7 +122,7 @@ Salvaged salvageFile(const QString& damaged, const QString& out, const QString& 
     const HelperLimits limits = limitsFor(QFileInfo(copy).size());
     const double seconds = 0.8 * static_cast<double>(limits.processor.count()); // the rest is for the new file
     QProcess process;
-    process.setProgram(helperProgram(QStringLiteral("bolster-salvage"), QStringLiteral(BOLSTER_SALVAGER)));
+    process.setProgram(helperProgram("bolster-salvage", "model/project"));
     process.setArguments({copy, damaged, QFileInfo(out).absoluteFilePath(), QString::number(seconds)});
     process.setStandardErrorFile(QProcess::nullDevice());
     confine(process, limits, folder.path());

@@ -1,37 +1,26 @@
 #include "Imaging.h"
 
+#include "ProgramPlace.h"
+
 #include <dlfcn.h>
 
-#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace bolster {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// That of this installation - of the workbench, and of the programs beside it - or of this build.
-fs::path modulePath()
-{
-    std::error_code problem;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", problem).parent_path();
-    const fs::path name("bolster-imaging.so");
-    for (const fs::path& installed : {folder / ".." / "libexec" / "bolster" / name, folder / name})
-        if (fs::exists(installed, problem))
-            return installed;
-    return BOLSTER_IMAGING_MODULE;
-}
-
 const Imaging& load()
 {
-    const fs::path path = modulePath();
+    // Of the workbench, and of the programs beside it.
+    const std::string path = shippedFile("bolster-imaging.so", "solver/look/painting").string();
     // It stays: what it has made may be in use until the end.
-    void* const module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const module = path.empty() ? nullptr : dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     using Entry = const Imaging* (*)();
     const auto entry = module ? reinterpret_cast<Entry>(dlsym(module, "bolsterImaging")) : nullptr;
     if (!entry) {
-        const char* const why = dlerror();
+        const char* const why = path.empty() ? "there is no bolster-imaging.so" : dlerror();
         throw std::runtime_error("pictures cannot be made, install Bolster again (" +
                                  std::string(why ? why : path.c_str()) + ")");
     }
