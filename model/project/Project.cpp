@@ -115,6 +115,25 @@ std::string projectUuid(const QString& path)
     }
 }
 
+std::string projectPicture(const QString& path)
+{
+    constexpr std::size_t largest = 1'000'000; // bytes
+    bool damaged = false;
+    if (!headProblem(path, damaged).empty())
+        return {};
+    try {
+        Database database(path, Database::Access::AtRest);
+        checkTables(database);
+        Query picture(database,
+                      "SELECT png FROM thumbnail ORDER BY node = (SELECT node FROM state ORDER BY id DESC "
+                      "LIMIT 1) DESC, node DESC LIMIT 1");
+        const std::string_view png = picture.next() ? picture.blob(0) : std::string_view();
+        return png.size() <= largest ? std::string(png) : std::string();
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
 OpenedProject openProject(const QString& path, ProjectCheck check)
 {
     bool damaged = false;

@@ -56,6 +56,10 @@ bool looksLikeProject(const QString& path);
 /// The project's name among all, or "" when it cannot be read; nothing else is looked at. Of a journal, too.
 std::string projectUuid(const QString& path);
 
+/// A PNG of the version where the project stands, or of the newest that has one; "" when there is none, or it
+/// cannot be read. It comes from the file: nobody has looked into it.
+std::string projectPicture(const QString& path);
+
 /// Opens a project file without changing it. Nothing but a problem when anything is wrong with it: see
 /// salvageProject.
 OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck::ToWork);
