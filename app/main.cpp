@@ -2,13 +2,13 @@
 #include "CommandLine.h"
 #include "Icons.h"
 #include "MainWindow.h"
+#include "OwnWindow.h"
+#include "RunLog.h"
 #include "Theme.h"
 #include "Translations.h"
 
 #include <QApplication>
-#include <QFileInfo>
 #include <QLocale>
-#include <QProcess>
 
 #include <cstdio>
 
@@ -23,12 +23,6 @@ bool hasDisplay()
 #else
     return true;
 #endif
-}
-
-/// In a program of its own: whatever happens to one design, the others go on.
-void openInWindowOfItsOwn(const QString& path)
-{
-    QProcess::startDetached(QCoreApplication::applicationFilePath(), {QFileInfo(path).absoluteFilePath()});
 }
 
 } // namespace
@@ -49,16 +43,19 @@ int main(int argc, char* argv[])
     QCoreApplication::setApplicationVersion(QStringLiteral(BOLSTER_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("bolster"));
     QApplication::setWindowIcon(icon(QStringLiteral("bolster")));
+    beginRunLog(runLogFolder());
     installTranslations(application, QLocale());
     applyTheme(application, storedTheme());
 
     MainWindow window;
     window.show();
     const QStringList designs = QCoreApplication::arguments().mid(1);
-    if (designs.isEmpty())
+    if (designs.isEmpty()) {
+        window.greet();
         window.recover();
-    else
+    } else {
         window.open(designs.front());
+    }
     for (const QString& another : designs.mid(1))
         openInWindowOfItsOwn(another);
     return QApplication::exec();

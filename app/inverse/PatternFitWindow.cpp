@@ -3,6 +3,7 @@
 #include "Ask.h"
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "Jobs.h"
 #include "NumberBox.h"
 #include "PatternView.h"
 #include "SelectionEdits.h"
@@ -343,6 +344,13 @@ void PatternFitWindow::stop()
 void PatternFitWindow::setRunning(bool running)
 {
     m_runs = running;
+    if (!running)
+        m_running.reset();
+    else
+        m_running = std::make_unique<RunningJob>(tr("Fitting the pattern \u2026"), [this] {
+            if (m_runs)
+                stop();
+        });
     m_find->setText(running ? tr("&Stop") : tr("&Find changes"));
     m_progress->setVisible(running);
     m_progress->setValue(0);
@@ -353,6 +361,8 @@ void PatternFitWindow::setRunning(bool running)
 void PatternFitWindow::showProgress(double share, const FitRound& round)
 {
     m_progress->setValue(static_cast<int>(100 * share));
+    if (m_running)
+        m_running->report(share);
     m_said->setText(m_lies->isChecked()
                         ? tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2))
                         : tr("%1 of the cover is over the limit").arg(percentText(round.figures.overLimit)));

@@ -9,6 +9,7 @@
 
 #include <QDialog>
 
+#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -24,6 +25,7 @@ namespace bolster {
 
 class DesignSession;
 class NumberBox;
+class RunningJob;
 class PatternView;
 
 class PatternFitWindow : public QDialog {
@@ -83,6 +85,7 @@ private:
 
     int m_asked = 0;
     bool m_runs = false;
+    std::unique_ptr<RunningJob> m_running;
     Design m_start; ///< of what is sought or was found
     std::optional<FitFound> m_found;
     std::optional<Gesture> m_gesture;     ///< while changes are shown
