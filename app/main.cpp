@@ -3,16 +3,16 @@
 #include "CommandLine.h"
 #include "Icons.h"
 #include "MainWindow.h"
+#include "OwnWindow.h"
 #include "PortableFolder.h"
 #include "ProgramPlace.h"
+#include "RunLog.h"
 #include "Theme.h"
 #include "Translated.h"
 #include "Translations.h"
 
 #include <QApplication>
-#include <QFileInfo>
 #include <QLocale>
-#include <QProcess>
 
 #include <algorithm>
 #include <cstdio>
@@ -41,15 +41,6 @@ bool takePortable(int& argc, char** argv)
     std::rotate(argv + 1, argv + 2, argv + argc);
     argv[--argc] = nullptr;
     return true;
-}
-
-/// In a program of its own: whatever happens to one design, the others go on.
-void openInWindowOfItsOwn(const QString& path, bool portable)
-{
-    QStringList words{QFileInfo(path).absoluteFilePath()};
-    if (portable)
-        words.prepend(QLatin1String(portableOption));
-    QProcess::startDetached(QCoreApplication::applicationFilePath(), words);
 }
 
 void prepare(QApplication& application)
@@ -92,17 +83,21 @@ int main(int argc, char* argv[])
         return 1;
     }
     QApplication application(argc, argv);
+    application.setProperty("portable", portable);
     prepare(application);
+    beginRunLog(runLogFolder());
     applyTheme(application, storedTheme());
 
     MainWindow window;
     window.show();
     const QStringList designs = QCoreApplication::arguments().mid(1);
-    if (designs.isEmpty())
+    if (designs.isEmpty()) {
+        window.greet();
         window.recover();
-    else
+    } else {
         window.open(designs.front());
+    }
     for (const QString& another : designs.mid(1))
-        openInWindowOfItsOwn(another, portable);
+        openInWindowOfItsOwn(another);
     return QApplication::exec();
 }

@@ -29,7 +29,7 @@ target_include_directories(bolster_clipper SYSTEM INTERFACE "${CLIPPER_INCLUDE_D
 target_link_libraries(bolster_clipper INTERFACE "${CLIPPER_LIBRARY}")
 
 if(NOT BOLSTER_HEADLESS)
-    find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets PrintSupport Svg LinguistTools)
     find_package(SQLite3 3.37 REQUIRED)
     find_package(ZLIB REQUIRED)
     find_package(EXPAT REQUIRED)

@@ -34,6 +34,10 @@ add_custom_target(bolster_shipped ALL
 install(DIRECTORY resources/samples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/bolster/samples" COMPONENT samples
     PATTERN tools EXCLUDE
     PATTERN README.md EXCLUDE)
+install(DIRECTORY resources/templates/ DESTINATION "${CMAKE_INSTALL_DATADIR}/bolster/templates" COMPONENT samples
+    PATTERN tools EXCLUDE
+    PATTERN make EXCLUDE
+    PATTERN README.md EXCLUDE)
 
 # As in the sources, so that links between the documents hold.
 set(bolster_documents "${CMAKE_INSTALL_DATADIR}/doc/bolster")

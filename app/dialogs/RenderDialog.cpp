@@ -1,6 +1,7 @@
 #include "RenderDialog.h"
 
 #include "Ask.h"
+#include "Jobs.h"
 #include "MapLink.h"
 #include "SavedViews.h"
 #include "Translated.h"
@@ -374,16 +375,27 @@ void RenderDialog::renderTo(const QString& path)
     asked.picture.options.light = needsLight(*format);
     asked.picture.options.progress = [this](double share) {
         QMetaObject::invokeMethod(
-            m_progress, [bar = m_progress, share] { bar->setValue(static_cast<int>(std::lround(100 * share))); },
+            m_progress,
+            [this, share] {
+                m_progress->setValue(static_cast<int>(std::lround(100 * share)));
+                if (m_running)
+                    m_running->report(share);
+            },
             Qt::QueuedConnection);
     };
     setRendering(true);
+    m_running = std::make_unique<RunningJob>(tr("Drawing %1 \u2026").arg(QFileInfo(m_written).fileName()), [this] {
+        if (m_rendering)
+            reject();
+    });
     m_job.request(std::move(asked), true);
 }
 
 void RenderDialog::setRendering(bool rendering)
 {
     m_rendering = rendering;
+    if (!rendering)
+        m_running.reset();
     m_progress->setValue(0);
     m_progress->setVisible(rendering);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_width, m_height, m_view, m_samples, m_shown,

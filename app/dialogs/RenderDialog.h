@@ -21,6 +21,8 @@ class QVBoxLayout;
 
 namespace bolster {
 
+class RunningJob;
+
 class RenderDialog : public QDialog {
     Q_OBJECT
 
@@ -101,10 +103,11 @@ private:
     QPushButton* m_close; ///< cancels the picture while one is drawn
     QTimer m_pause;       ///< before a preview, so that typing a number costs one
     bool m_rendering = false;
-    QString m_written;                ///< the file that is drawn, or was; of several the first
-    std::vector<PictureLook> m_looks; ///< in the order of the list
-    std::vector<PictureLook> m_seen;  ///< as rough pictures
-    LatestJob<Request, Result> m_job; ///< last: it uses the others
+    std::unique_ptr<RunningJob> m_running; ///< of the picture that is drawn to a file
+    QString m_written;                     ///< the file that is drawn, or was; of several the first
+    std::vector<PictureLook> m_looks;      ///< in the order of the list
+    std::vector<PictureLook> m_seen;       ///< as rough pictures
+    LatestJob<Request, Result> m_job;      ///< last: it uses the others
 };
 
 } // namespace bolster

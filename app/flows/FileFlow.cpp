@@ -62,14 +62,25 @@ QString FileFlow::startFolder() const
     return QDir::homePath();
 }
 
-void FileFlow::startNew()
+void FileFlow::startNew(const Then& begun)
 {
-    keepWork([this] { m_session.startNew(); });
+    keepWork([this, begun] {
+        m_session.startNew();
+        if (begun)
+            begun();
+    });
 }
 
-void FileFlow::open(const QString& path)
+void FileFlow::openTemplate(const QString& path)
 {
-    const auto take = [this](const QString& file) { keepWork([this, file] { openNow(file); }); };
+    keepWork([this, path] { openAs(path, DesignSession::Opening::AsNew, {}); });
+}
+
+void FileFlow::open(const QString& path, const Then& opened)
+{
+    const auto take = [this, opened](const QString& file) {
+        keepWork([this, file, opened] { openNow(file, opened); });
+    };
     if (path.isEmpty())
         askForFile(m_window, tr("Open project or design"), startFolder(), openFilter(), take);
     else
@@ -127,13 +138,13 @@ void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const
         closeProgress(reading);
         keepWork(then);
     };
-    const auto done = [this, path, opened, reading](const Message& problem) {
+    const auto done = [this, path, opening, opened, reading](const Message& problem) {
         closeProgress(reading);
         if (!problem.empty()) {
             failToOpen(path, problem);
             return;
         }
-        if (!isSample(path))
+        if (!isSample(path) && opening != DesignSession::Opening::AsNew)
             remember(path);
         announceProblems();
         if (opened)

@@ -38,9 +38,17 @@ public:
 
     FileFlow(DesignSession& session, QWidget* window, Banner* banner);
 
-    void startNew();
-    /// Asks for a file when `path` is empty.
-    void open(const QString& path = {});
+    void startNew(const Then& begun = {});
+    /// Asks for a file when `path` is empty. `opened` is called when it is there.
+    void open(const QString& path = {}, const Then& opened = {});
+    /// As a new design without a name.
+    void openTemplate(const QString& path);
+    /// Goes on with unsaved work.
+    void openLeft(const WorkJournal::Left& left);
+    /// Of unsaved work, as the user knows it.
+    static QString nameOf(const WorkJournal::Left& left);
+    /// Looks for unsaved work in the background: leftFound.
+    void findLeft();
     void save();
     void saveAs();
     void saveCopy(const SaveOptions& options);
@@ -73,19 +81,23 @@ public:
     void fillUnsaved(QMenu& menu);
     /// Goes on where a crash has ended the last run, if it has.
     void recover();
-    /// A design, a mesh or a scan that was dropped on the window, or nothing.
+    /// A design, a frame, a scan or a pattern, by its ending.
     static bool takes(const QString& file);
     void drop(const QString& file);
 
 signals:
     /// Something has happened that is worth a line in the status bar.
     void done(const QString& what);
+    /// A file for others was written.
+    void exported();
     /// A frame or a scan is in the design now.
     void imported(bolster::FileKind kind);
     /// A pattern is: of these patches.
     void patternImported(const std::vector<bolster::ElementId>& patches);
     /// Something in the pattern shall be seen: in outline coordinates, mm.
     void placeWanted(bolster::ElementId element, bolster::ElementId patch, const bolster::Vec2& place);
+    /// Work that is not in any file, the newest first, that of this window left out.
+    void leftFound(const QList<bolster::WorkJournal::Left>& all);
     /// The user wants to see what is wrong.
     void problemsWanted();
     /// The user wants to see what has been done.

@@ -3,6 +3,7 @@
 #include "CoverFileWriting.h"
 #include "FileFlow.h"
 #include "FileFormats.h"
+#include "Jobs.h"
 #include "SurfaceExport.h"
 #include "Translated.h"
 #include "ViewerParts.h"
@@ -68,14 +69,20 @@ void FileFlow::exportCoverTo(const SurfaceMeshPtr& surface, const FabricBaker& b
     if (format == CoverFormat::Page)
         options.page = viewerParts();
     std::stop_source stop;
-    auto* const progress = openProgress(m_window, tr("Exporting %1 \u2026").arg(QFileInfo(path).fileName())).dialog;
+    const QString text = tr("Exporting %1 \u2026").arg(QFileInfo(path).fileName());
+    auto* const progress = openProgress(m_window, text).dialog;
+    auto job = std::make_shared<RunningJob>(text, [progress = QPointer(progress)] {
+        if (progress)
+            progress->cancel();
+    });
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
     connect(progress, &QObject::destroyed, [stop]() mutable { stop.request_stop(); }); // with its window
     inBackground<CoverFile>([subject, options, format, token = stop.get_token()] {
         return CoverFiles(subject, options).make(format, token);
-    }).then(this, [this, path, shown = QPointer(progress)](const CoverFile& file) {
+    }).then(this, [this, path, job, shown = QPointer(progress)](const CoverFile& file) mutable {
         const bool cancelled = !shown || shown->wasCanceled();
         closeProgress(shown);
+        job.reset();
         if (!cancelled)
             finishCoverExport(file, path);
     });
@@ -93,6 +100,7 @@ void FileFlow::finishCoverExport(const CoverFile& file, const QString& path)
     for (const Message& note : file.notes)
         said += QStringLiteral(": ") + translated(note);
     emit done(said);
+    emit exported();
     if (file.notes.size() < 2)
         return;
     QStringList lines; // more than anybody reads in the status bar before it is gone
@@ -114,13 +122,18 @@ void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
 void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path)
 {
     const bool ply = path.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
+    auto job = std::make_shared<RunningJob>(tr("Exporting %1 \u2026").arg(QFileInfo(path).fileName()),
+                                            std::function<void()>()); // soon done
     inBackground<Message>([surface, design = m_session.document().design(), path, ply] {
         return ply ? exportPly(*surface, design, path) : exportObj(*surface, design, path);
-    }).then(this, [this, path](const Message& problem) {
-        if (problem.empty())
+    }).then(this, [this, path, job](const Message& problem) mutable {
+        job.reset();
+        if (problem.empty()) {
             emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-        else
+            emit exported();
+        } else {
             fail(tr("The surface could not be exported."), problem);
+        }
     });
 }
 
@@ -143,10 +156,12 @@ void FileFlow::exportPicture(const QImage& picture)
 {
     chooseTarget(tr("Export picture"), proposedPicture(), tr("PNG (*.png)"), {QStringLiteral("png")},
                  [this, picture](const QString& path) {
-                     if (const Message problem = writePng(picture, path); problem.empty())
+                     if (const Message problem = writePng(picture, path); problem.empty()) {
                          emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-                     else
+                         emit exported();
+                     } else {
                          fail(tr("The picture could not be exported."), problem);
+                     }
                  });
 }
 

@@ -8,6 +8,7 @@
 #include "FixationsLeft.h"
 #include "FrameSimplifying.h"
 #include "ImportPatternDialog.h"
+#include "Jobs.h"
 #include "PatternImport.h"
 #include "TemporaryFile.h"
 #include "Translated.h"
@@ -109,16 +110,28 @@ void FileFlow::withProgress(const QString& text, Read read, Done done)
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
     connect(progress, &QObject::destroyed, [stop]() mutable { stop.request_stop(); }); // with its window
-    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(bar)](double share) {
+    auto job = std::make_shared<RunningJob>(text, [progress = QPointer(progress)] {
+        if (progress)
+            progress->cancel();
+    });
+    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(bar),
+                         job = std::weak_ptr(job)](double share) {
         const int step = static_cast<int>(share * steps);
-        if (step > std::exchange(*shown, step))
-            QMetaObject::invokeMethod(this, [bar, step] { return bar ? bar->setValue(step) : void(); });
+        if (step <= std::exchange(*shown, step))
+            return;
+        QMetaObject::invokeMethod(this, [bar, step, job] {
+            if (bar)
+                bar->setValue(step);
+            if (const auto running = job.lock())
+                running->report(double(step) / steps);
+        });
     };
     inBackground<Result>([read, watch = ImportWatch{stop.get_token(), report, {}}] {
         return read(watch);
-    }).then(this, [done, progress = QPointer(progress)](const Result& result) {
+    }).then(this, [done, job, progress = QPointer(progress)](const Result& result) mutable {
         const bool cancelled = !progress || progress->wasCanceled();
         closeProgress(progress);
+        job.reset();
         if (!cancelled)
             done(result);
     });
@@ -298,10 +311,12 @@ void FileFlow::exportPatternTo(const QString& path, const PatternOrder& order, c
             return replaceWholeFile(path, bytes);
         },
         [this, path](const Message& problem) {
-            if (problem.empty())
+            if (problem.empty()) {
                 emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-            else
+                emit exported();
+            } else {
                 fail(tr("The pattern could not be exported."), problem);
+            }
         });
 }
 

@@ -20,14 +20,6 @@ namespace bolster {
 
 namespace {
 
-/// Of the work, as the user knows it.
-QString nameOf(const WorkJournal::Left& left)
-{
-    if (!left.place.original.isEmpty())
-        return QFileInfo(left.place.original).fileName();
-    return left.place.title.isEmpty() ? FileFlow::tr("New design") : left.place.title;
-}
-
 /// "box (recovered).bolster", in the user's documents where the folder cannot be written to.
 QString freePathBeside(const QString& path)
 {
@@ -44,6 +36,25 @@ QString freePathBeside(const QString& path)
 
 } // namespace
 
+QString FileFlow::nameOf(const WorkJournal::Left& left)
+{
+    if (!left.place.original.isEmpty())
+        return QFileInfo(left.place.original).fileName();
+    return left.place.title.isEmpty() ? tr("New design") : left.place.title;
+}
+
+void FileFlow::openLeft(const WorkJournal::Left& left)
+{
+    keepWork([this, left] { restore(left); });
+}
+
+void FileFlow::findLeft()
+{
+    inBackground<QList<WorkJournal::Left>>([] {
+        return WorkJournal::left();
+    }).then(this, [this](const QList<WorkJournal::Left>& all) { emit leftFound(all); });
+}
+
 /// The next start after a crash is where the work was.
 void FileFlow::recover()
 {
@@ -53,6 +64,7 @@ void FileFlow::recover()
         OwnFolder::removeForgotten(WorkJournal::filesInUse());
         return all;
     }).then(this, [this, before = m_session.document().revision()](const QList<WorkJournal::Left>& all) {
+        emit leftFound(all);
         const bool untouched = m_session.document().revision() == before && !m_reading;
         const auto crashed = std::ranges::find(all, false, &WorkJournal::Left::kept);
         if (crashed != all.end() && untouched)
@@ -313,7 +325,7 @@ void FileFlow::fillUnsaved(QMenu& menu)
     for (const WorkJournal::Left& left : WorkJournal::left()) {
         QAction* action =
             menu.addAction(tr("%1, %2").arg(nameOf(left), QLocale().toString(left.when, QLocale::ShortFormat)),
-                           this, [this, left] { keepWork([this, left] { restore(left); }); });
+                           this, [this, left] { openLeft(left); });
         action->setToolTip(QDir::toNativeSeparators(left.place.original));
     }
     for (const WorkJournal::Left& left : WorkJournal::damaged()) {

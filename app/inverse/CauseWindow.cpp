@@ -105,7 +105,7 @@ void CauseWindow::build()
     auto* form = new QFormLayout;
     form->addRow(tr("Scan of the &piece"), m_scan);
     form->addRow(tr("Scan of a so&und piece"), m_sound);
-    m_run = new RunRow(tr("Look for the &cause"), this);
+    m_run = new RunRow(tr("Look for the &cause"), tr("Looking for a cause \u2026"), this);
     connect(m_run, &RunRow::started, this, &CauseWindow::find);
     connect(m_run, &RunRow::stopped, this, &CauseWindow::stop);
     m_said = new QLabel(tr("Says which one cause explains best how far a built piece lies from the cover: foam, a "

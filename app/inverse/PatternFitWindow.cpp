@@ -94,7 +94,7 @@ PatternFitWindow::~PatternFitWindow()
 
 void PatternFitWindow::build()
 {
-    m_run = new RunRow(tr("&Find changes"), this);
+    m_run = new RunRow(tr("&Find changes"), tr("Fitting the pattern \u2026"), this);
     connect(m_run, &RunRow::started, this, &PatternFitWindow::find);
     connect(m_run, &RunRow::stopped, this, &PatternFitWindow::stop);
     m_said = new QLabel(this);

@@ -68,7 +68,7 @@ ReliefWindow::~ReliefWindow()
 
 void ReliefWindow::build()
 {
-    m_run = new RunRow(tr("&Look for changes"), this);
+    m_run = new RunRow(tr("&Look for changes"), tr("Looking for what relieves strain \u2026"), this);
     connect(m_run, &RunRow::started, this, &ReliefWindow::find);
     connect(m_run, &RunRow::stopped, this, &ReliefWindow::stop);
     m_said =

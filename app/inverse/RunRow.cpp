@@ -1,14 +1,17 @@
 #include "RunRow.h"
 
+#include "Jobs.h"
+
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
 
 namespace bolster {
 
-RunRow::RunRow(QString text, QWidget* parent)
+RunRow::RunRow(QString text, QString job, QWidget* parent)
     : QWidget(parent)
     , m_text(std::move(text))
+    , m_job(std::move(job))
     , m_bar(new QProgressBar(this))
     , m_button(new QPushButton(this))
 {
@@ -25,9 +28,11 @@ RunRow::RunRow(QString text, QWidget* parent)
     setRunning(false);
 }
 
+RunRow::~RunRow() = default;
+
 void RunRow::setRunning(bool running)
 {
-    m_running = running;
+    m_running = running ? std::make_unique<RunningJob>(m_job, [this] { emit stopped(); }) : nullptr;
     m_button->setText(running ? tr("&Stop") : m_text);
     m_bar->setVisible(running);
     m_bar->setValue(0);
@@ -36,6 +41,8 @@ void RunRow::setRunning(bool running)
 void RunRow::setShare(double share)
 {
     m_bar->setValue(static_cast<int>(100 * share));
+    if (m_running)
+        m_running->report(share);
 }
 
 } // namespace bolster

@@ -1,21 +1,26 @@
-// Starts long work, shows how far it is, and stops it.
+// Starts long work, shows how far it is, here and in the list of jobs, and stops it.
 #pragma once
 
 #include <QWidget>
+
+#include <memory>
 
 class QProgressBar;
 class QPushButton;
 
 namespace bolster {
 
+class RunningJob;
+
 class RunRow : public QWidget {
     Q_OBJECT
 
 public:
-    /// `text` of the button that starts it.
-    explicit RunRow(QString text, QWidget* parent = nullptr);
+    /// `text` of the button that starts it; `job`: how it is called in the list of jobs.
+    RunRow(QString text, QString job, QWidget* parent = nullptr);
+    ~RunRow() override;
 
-    bool running() const { return m_running; }
+    bool running() const { return m_running != nullptr; }
     void setRunning(bool running);
     /// 0 to 1.
     void setShare(double share);
@@ -25,10 +30,10 @@ signals:
     void stopped();
 
 private:
-    QString m_text;
+    QString m_text, m_job;
     QProgressBar* m_bar;
     QPushButton* m_button;
-    bool m_running = false;
+    std::unique_ptr<RunningJob> m_running;
 };
 
 } // namespace bolster

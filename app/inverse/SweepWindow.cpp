@@ -115,7 +115,7 @@ SweepWindow::~SweepWindow()
 
 void SweepWindow::build()
 {
-    m_run = new RunRow(tr("&Draw pieces"), this);
+    m_run = new RunRow(tr("&Draw pieces"), tr("Solving pieces within tolerances \u2026"), this);
     connect(m_run, &RunRow::started, this, &SweepWindow::find);
     connect(m_run, &RunRow::stopped, this, &SweepWindow::stop);
     m_said = new QLabel(tr("Pieces are drawn at random within their tolerances: where does the cover vary, which "

@@ -43,6 +43,7 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
                     parts.spots))
     , cutting(newDock(window, QStringLiteral("cutting"),
                       QCoreApplication::translate("Docks", "Check before cutting"), parts.cutting))
+    , jobs(newDock(window, QStringLiteral("jobs"), QCoreApplication::translate("Docks", "Jobs"), parts.jobs))
     , m_window(window)
     , m_sizes(new PaneSizes(window, all(), {pattern, cover}))
 {
@@ -66,10 +67,11 @@ void Docks::reset()
     m_window.tabifyDockWidget(elements, history);
     m_window.tabifyDockWidget(history, seams);
     m_window.tabifyDockWidget(seams, fabrics);
+    m_window.tabifyDockWidget(fabrics, jobs);
     m_window.splitDockWidget(pattern, problems, Qt::Vertical);
     m_window.tabifyDockWidget(problems, cutting);
     for (QDockWidget* dock : all())
-        dock->setVisible(dock != problems && dock != spots && dock != cutting);
+        dock->setVisible(dock != problems && dock != spots && dock != cutting && dock != jobs);
     elements->raise();
     m_window.resizeDocks({pattern, cover, elements}, {540, 560, 280}, Qt::Horizontal);
     m_window.resizeDocks({elements, inspector}, {460, 340}, Qt::Vertical);

@@ -26,6 +26,7 @@ public:
         QWidget* fabrics;
         QWidget* spots;
         QWidget* cutting;
+        QWidget* jobs;
     };
 
     Docks(QMainWindow& window, const Parts& parts);
@@ -40,9 +41,10 @@ public:
     QDockWidget* fabrics;
     QDockWidget* spots;
     QDockWidget* cutting;
+    QDockWidget* jobs; ///< a tab beside the lists while somebody works
     QList<QDockWidget*> all() const
     {
-        return {pattern, cover, elements, history, inspector, problems, seams, fabrics, spots, cutting};
+        return {pattern, cover, elements, history, inspector, problems, seams, fabrics, spots, cutting, jobs};
     }
 
     void reset();

@@ -174,12 +174,18 @@ void StartHint::setDrawing(bool drawing)
     place();
 }
 
+void StartHint::setCovered(bool covered)
+{
+    m_covered = covered;
+    place();
+}
+
 void StartHint::place()
 {
     bool begun = false;
     m_document.design().each<Patch>([&](ElementId, const Patch&) { begun = true; });
     m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
-    setVisible(!begun && !m_drawing);
+    setVisible(!begun && !m_drawing && !m_covered);
     const QRect room = m_over.freeRoom();
     const QSize size(std::min(room.width(), widest), std::min(room.height(), sizeHint().height()));
     setGeometry(QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, size, room));

@@ -19,6 +19,8 @@ public:
     StartHint(Document& document, PatternView& over);
     /// Out of the way of who draws.
     void setDrawing(bool drawing);
+    /// The start page lies over it, and its keys are not wanted.
+    void setCovered(bool covered);
 
 signals:
     void rectangleWanted();
@@ -45,6 +47,7 @@ private:
     PatternView& m_over;
     QWidget* m_lists = nullptr; ///< made anew each time this is shown
     bool m_drawing = false;
+    bool m_covered = false;
 };
 
 } // namespace bolster

@@ -145,6 +145,11 @@ public:
 
 } // namespace
 
+QPalette lightPalette()
+{
+    return paletteOf(light);
+}
+
 void applyTheme(QApplication& application, Theme theme)
 {
     static const QPalette system = QApplication::palette();

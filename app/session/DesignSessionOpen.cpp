@@ -140,8 +140,9 @@ void DesignSession::open(const QString& path, Opening opening, const Replace& re
     const QString file = QFileInfo(path).absoluteFilePath();
     const auto read = [file](const std::stop_token& reading) { return readDesign(file, reading); };
     readNewest(read, replace, done, stop, [this, file, opening, done](const Opened& opened) {
-        const bool look = opening == Opening::ToLook || isSample(file);
-        take(opened, look ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
+        const bool pathless = opening != Opening::ToWork || isSample(file);
+        take(opened, pathless ? QString() : file, QFileInfo(file).absolutePath(),
+             opening == Opening::AsNew ? QString() : titleOf(file));
         m_onlyToLook = opening == Opening::ToLook;
         if (m_onlyToLook)
             emit titleChanged();

@@ -16,9 +16,14 @@ constexpr qsizetype mostRecentFiles = 10;
 
 } // namespace
 
+QStringList remembered()
+{
+    return QSettings().value(recentFilesKey).toStringList();
+}
+
 QStringList all()
 {
-    QStringList files = QSettings().value(recentFilesKey).toStringList();
+    QStringList files = remembered();
     files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
     return files;
 }
@@ -31,6 +36,13 @@ void add(const QString& path)
     files.removeAll(file);
     files.prepend(file);
     settings.setValue(recentFilesKey, QStringList(files.mid(0, mostRecentFiles)));
+}
+
+void remove(const QString& path)
+{
+    QStringList files = remembered();
+    files.removeAll(path);
+    QSettings().setValue(recentFilesKey, files);
 }
 
 void clear()

@@ -36,16 +36,21 @@ QList<Sample> fromIndex(const QDir& folder)
 } // namespace
 
 /// A build has a link to those of the sources.
-QString samplesFolder()
+QString shippedFolder(const std::string& name)
 {
     const std::filesystem::path program = programFolder();
     const std::filesystem::path build = buildAround(program);
     for (const std::filesystem::path& folder :
-         {program.empty() ? program : program / ".." / "share" / "bolster" / "samples",
-          build.empty() ? build : build / "samples"})
+         {program.empty() ? program : program / ".." / "share" / "bolster" / name,
+          build.empty() ? build : build / name})
         if (const QString path = QString::fromStdString(folder.string()); !path.isEmpty() && QDir(path).exists())
             return QDir(path).canonicalPath();
     return {};
+}
+
+QString samplesFolder()
+{
+    return shippedFolder("samples");
 }
 
 QList<Sample> samples(const QString& folder)

@@ -4,6 +4,8 @@
 #include <QList>
 #include <QString>
 
+#include <string>
+
 namespace bolster {
 
 struct Sample {
@@ -12,7 +14,9 @@ struct Sample {
     QString description; ///< may be empty
 };
 
-/// Where they are: beside an installed program, or in the source tree it was built from. "" when nowhere.
+/// A folder that is shipped with the program: installed with it, or in the source tree it was built from. "" when
+/// nowhere.
+QString shippedFolder(const std::string& name);
 QString samplesFolder();
 /// NAME.json and NAME/NAME.json of the folder, in the order and with the titles of samples.json if there is one.
 QList<Sample> samples(const QString& folder = samplesFolder());

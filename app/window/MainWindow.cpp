@@ -1,11 +1,13 @@
 #include "MainWindow.h"
 
+#include "Ask.h"
 #include "Banner.h"
 #include "CommandPalette.h"
 #include "Commands.h"
 #include "CoverLink.h"
 #include "CuttingPanel.h"
 #include "Docks.h"
+#include "DropFlow.h"
 #include "ElementsView.h"
 #include "FabricCommands.h"
 #include "FabricLink.h"
@@ -14,6 +16,8 @@
 #include "FindingsLink.h"
 #include "HistoryPanel.h"
 #include "Inspector.h"
+#include "Jobs.h"
+#include "JobsPanel.h"
 #include "MapLink.h"
 #include "PatternView.h"
 #include "PlainLabels.h"
@@ -23,11 +27,14 @@
 #include "ScanLink.h"
 #include "SeamsView.h"
 #include "SpotsPanel.h"
+#include "StartCommands.h"
+#include "StartPage.h"
 #include "StatusLine.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QToolBar>
@@ -42,7 +49,7 @@ namespace {
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString sizesKey = QStringLiteral("window/panes");
-constexpr int layoutVersion = 5; // larger when docks are added or renamed
+constexpr int layoutVersion = 6; // larger when docks are added or renamed
 
 void fillToolBar(QToolBar& bar, Commands& commands)
 {
@@ -52,6 +59,15 @@ void fillToolBar(QToolBar& bar, Commands& commands)
     commands.fill(bar);
     if (auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
         more->setToolTip(MainWindow::tr("More commands"));
+}
+
+QStringList filesOf(const QMimeData& data)
+{
+    QStringList files;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile())
+            files << url.toLocalFile();
+    return files;
 }
 
 } // namespace
@@ -80,6 +96,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
+    , m_drops(new DropFlow(*m_files, *m_fabricCommands, this))
 {
     keepLabelsPlain(*qApp);
     setAcceptDrops(true);
@@ -87,9 +104,10 @@ MainWindow::MainWindow(QWidget* parent)
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
     auto* bar = addToolBar(tr("Tools"));
     addMessages();
-    m_docks =
-        std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
-                                                    m_problemList, m_seams, m_fabricPanel, m_spots, m_cutting});
+    m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
+                                                          m_problemList, m_seams, m_fabricPanel, m_spots, m_cutting,
+                                                          new JobsPanel});
+    m_startPage = new StartPage(*this, {m_docks->pattern, m_docks->cover});
     m_palette = new CommandPalette(*this);
     connectSession(); // before the areas: what they look at is up to date then
     connectDocument();
@@ -101,6 +119,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectFiles();
     connectFindings();
     connectKeyboard();
+    connectJobs();
     m_session->startNew();
     restoreSize();
 }
@@ -119,6 +138,11 @@ void MainWindow::open(const QString& path)
 void MainWindow::recover()
 {
     m_files->recover();
+}
+
+void MainWindow::greet()
+{
+    m_startCommands->greet();
 }
 
 QAction* MainWindow::command(const char* id)
@@ -234,6 +258,7 @@ void MainWindow::arrange()
     m_arranged = true;
     const bool restored = restoreState(QSettings().value(stateKey).toByteArray(), layoutVersion);
     m_docks->problems->hide();
+    m_docks->jobs->hide();
     m_banner->parentWidget()->setVisible(m_banner->shown());
     m_docks->restoreSizes(restored ? QSettings().value(sizesKey).toByteArray() : QByteArray());
 }
@@ -259,9 +284,38 @@ void MainWindow::closeEvent(QCloseEvent* event)
         });
         return;
     }
+    if (!std::exchange(m_jobsGivenUp, false) && !Jobs::all().running().isEmpty()) {
+        event->ignore();
+        m_workKept = true; // that was answered
+        askAboutJobs();
+        return;
+    }
     storeLayout();
     m_session->end();
     event->accept();
+}
+
+/// Asks once at a time; who goes on working answers for his unsaved work anew.
+void MainWindow::askAboutJobs()
+{
+    QStringList names;
+    for (const Jobs::Job& job : Jobs::all().running())
+        names << job.name;
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Bolster"), tr("Bolster is still working at something."),
+                                QMessageBox::Cancel, this);
+    box->setInformativeText(
+        names.join(u'\n') + QStringLiteral("\n\n") +
+        tr("What is closed now is not finished; files that are being written stay as they were."));
+    const QAbstractButton* stop = box->addButton(tr("&Stop it and close"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    openQuestion(box, [this, stop](const QAbstractButton* pressed) {
+        m_workKept = pressed == stop;
+        if (pressed != stop)
+            return;
+        m_jobsGivenUp = true;
+        Jobs::all().cancelAll();
+        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
+    });
 }
 
 void MainWindow::changeEvent(QEvent* event)
@@ -275,8 +329,7 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1 && FileFlow::takes(urls.front().toLocalFile()))
+    if (!filesOf(*event->mimeData()).isEmpty()) // what cannot be opened is told why
         event->acceptProposedAction();
 }
 
@@ -285,8 +338,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
     // After the drop is over for the program it came from: what follows may ask questions.
     QMetaObject::invokeMethod(
-        this, [this, file = event->mimeData()->urls().value(0).toLocalFile()] { m_files->drop(file); },
-        Qt::QueuedConnection);
+        this, [this, files = filesOf(*event->mimeData())] { m_drops->drop(files); }, Qt::QueuedConnection);
 }
 
 } // namespace bolster

@@ -22,6 +22,7 @@ class CommandPalette;
 class Commands;
 class CoverAtRest;
 class Docks;
+class DropFlow;
 class ElementsView;
 class FabricCommands;
 class FabricLink;
@@ -40,7 +41,10 @@ class CuttingPanel;
 class ScanLink;
 class SeamsView;
 class SpotsPanel;
+class StartCommands;
+class StartPage;
 class StatusLine;
+class Tour;
 class ViewCommands;
 
 class MainWindow : public QMainWindow {
@@ -54,6 +58,8 @@ public:
     void open(const QString& path);
     /// Offers what a crash has left.
     void recover();
+    /// Shows the start page, as a program does that was started with nothing to open.
+    void greet();
 
     DesignSession& session() { return *m_session; }
     Document& document() { return m_session->document(); }
@@ -74,6 +80,9 @@ public:
     Banner& banner() { return *m_banner; }
     StatusLine& statusLine() { return *m_status; }
     FileFlow& files() { return *m_files; }
+    DropFlow& drops() { return *m_drops; }
+    StartPage& startPage() { return *m_startPage; }
+    Tour& tour() { return *m_tour; }
     FabricLink& fabricLink() { return *m_fabricLink; }
     FabricCommands& fabricCommands() { return *m_fabricCommands; }
     FabricPanel& fabricPanel() { return *m_fabricPanel; }
@@ -103,6 +112,8 @@ private:
     void connectFiles();
     void connectFindings();
     void connectKeyboard();
+    void connectJobs();
+    void askAboutJobs();
     void designOpened();
     void keepCamera();
     void lookAtOpened();
@@ -142,14 +153,21 @@ private:
     Banner* m_banner;
     CommandPalette* m_palette = nullptr;
     FileFlow* m_files;
+    DropFlow* m_drops;
     std::unique_ptr<Docks> m_docks;
+    StartPage* m_startPage = nullptr;
     std::vector<std::unique_ptr<QObject>> m_areas; ///< of commands; they go first
     ViewCommands* m_viewCommands = nullptr;
     MapCommands* m_mapCommands = nullptr;
-    bool m_fitCover = false; ///< the next surface is the first of its design
+    StartCommands* m_startCommands = nullptr;
+    Tour* m_tour = nullptr;
+    bool m_jobsShown = false; ///< by itself
+    QTimer m_jobsSeen;        ///< a job takes longer than a moment: the list of jobs comes up
+    bool m_fitCover = false;  ///< the next surface is the first of its design
     bool m_wasShown = false;
-    bool m_arranged = false; ///< docks and tool bars are where they were at the last end
-    bool m_workKept = false; ///< closing was agreed to
+    bool m_arranged = false;    ///< docks and tool bars are where they were at the last end
+    bool m_workKept = false;    ///< closing was agreed to
+    bool m_jobsGivenUp = false; ///< the same of what is still being worked at
 };
 
 } // namespace bolster

@@ -24,6 +24,7 @@
 #include "InsertCommands.h"
 #include "Inspector.h"
 #include "InverseCommands.h"
+#include "Jobs.h"
 #include "LayerCommands.h"
 #include "MainMenu.h"
 #include "MainWindow.h"
@@ -37,9 +38,12 @@
 #include "SeamsView.h"
 #include "SelectionEdits.h"
 #include "SewingCommands.h"
+#include "StartCommands.h"
+#include "StartPage.h"
 #include "StatusLine.h"
 #include "SurfaceCommands.h"
 #include "ToolCommands.h"
+#include "Tour.h"
 #include "Translated.h"
 #include "TwinCommands.h"
 #include "Units.h"
@@ -89,6 +93,9 @@ void MainWindow::addCommands()
     addMainMenus(commands);
     auto& cover = addArea<CoverAtRest>(document(), *m_solver, *m_status);
     addArea<FileCommands>(commands, *m_files, *m_session, *m_solver, cover, *m_surface, *m_fabricLink, *this);
+    m_startCommands =
+        &addArea<StartCommands>(commands, StartCommands::Parts{*m_startPage, *m_session, *m_files, *m_pattern,
+                                                               *m_surface, *m_banner, *this});
     addArea<EditCommands>(commands, document(), m_selection, *m_docks, *m_elements, *m_history, *m_fabricCommands,
                           *m_status, [this] { return m_pattern->takeBack() || m_surface->takeBack(); });
     addViewCommands();
@@ -97,8 +104,11 @@ void MainWindow::addCommands()
     addDesignCommands(cover);
     addArea<SurfaceCommands>(commands, *m_solver, cover, *this);
     addArea<WindowCommands>(commands, *m_docks, *m_inspector);
+    m_tour = &addArea<Tour>(
+        commands, Tour::Parts{*m_session, m_selection, *m_maps, *m_files, *m_pattern, *m_surface, *m_docks, *this});
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
-    addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files);
+    addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files,
+                        *m_startPage);
     addArea<VersionCommands>(*m_session, *m_solver, *m_fabricLink, *m_surface, *m_history, *this);
     SewingCommands::fillTable(m_seams->table(), commands);
     commands.buildMenus();
@@ -337,6 +347,28 @@ void MainWindow::connectKeyboard()
     const QList<QDockWidget*> parts = m_docks->all();
     for (qsizetype i = 1; i < parts.size(); ++i)
         setTabOrder(parts[i - 1]->widget(), parts[i]->widget());
+}
+
+/// Beside the lists, without taking their place: what is over in a moment is not seen.
+void MainWindow::connectJobs()
+{
+    m_jobsSeen.setSingleShot(true);
+    m_jobsSeen.setInterval(std::chrono::seconds(1));
+    connect(&m_jobsSeen, &QTimer::timeout, this, [this] {
+        if (!m_docks->jobs->isVisible() && !Jobs::all().running().isEmpty()) {
+            m_docks->jobs->show();
+            m_jobsShown = true;
+        }
+    });
+    connect(&Jobs::all(), &Jobs::changed, this, [this] {
+        if (!Jobs::all().running().isEmpty()) {
+            m_jobsSeen.start();
+            return;
+        }
+        m_jobsSeen.stop();
+        if (std::exchange(m_jobsShown, false))
+            m_docks->jobs->hide();
+    });
 }
 
 } // namespace bolster

@@ -17,6 +17,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPrintDialog>
 #include <QProgressDialog>
 #include <QThread>
 #include <QToolTip>
@@ -293,14 +294,19 @@ TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
     dialog->close();
 }
 
-TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)
+TEST_F(DialogsTest, CtrlPPrintsF12MakesAPictureAndPauseHasOtherKeys)
 {
-    EXPECT_EQ(withKeys(window, QKeySequence::Print), window.command("file.render-picture"));
+    EXPECT_EQ(withKeys(window, QKeySequence::Print), window.command("file.print-view"));
     EXPECT_FALSE(window.command("surface.pause")->shortcuts().isEmpty());
     ASSERT_TRUE(open(sample("trapezoid")));
     ASSERT_TRUE(waitUntilSolved());
     window.patternView().setFocus();
     QTest::keyClick(&window.patternView(), Qt::Key_P, Qt::ControlModifier);
+    auto* print = opened<QPrintDialog>();
+    ASSERT_TRUE(print);
+    print->reject();
+    takeKeyboard();
+    QTest::keyClick(&window.patternView(), Qt::Key_F12);
     auto* dialog = opened<RenderDialog>();
     ASSERT_TRUE(dialog);
     EXPECT_FALSE(window.solver().paused());

@@ -17,6 +17,7 @@ public:
     explicit MapLegend(QWidget* parent);
 
     void setMap(ShownMapPtr map);
+    const ShownMapPtr& map() const { return m_map; }
     /// What the map says under the pointer, in words; "" when the pointer is elsewhere.
     void setReading(const QString& reading);
     const QString& reading() const { return m_reading; }

@@ -8,6 +8,7 @@
 #include "FileFlow.h"
 #include "RenderDialog.h"
 #include "SolverLink.h"
+#include "ViewPrint.h"
 
 #include <algorithm>
 
@@ -176,10 +177,27 @@ void FileCommands::addExchange(Commands& commands)
           .formerly = "render-picture",
           .text = tr("Ren&der picture \u2026"),
           .icon = "picture",
-          .keys = {QKeySequence(Qt::Key_F12), QKeySequence(QKeySequence::Print)}, // there is nothing else to print
+          .keys = {Qt::Key_F12},
           .places = {"file/4"},
           .enabled = covered,
-          .does = [this] { m_cover.then([this] { renderPicture(); }); }}});
+          .does = [this] { m_cover.then([this] { renderPicture(); }); }},
+         {.id = "file.print-view",
+          .text = tr("Print view \u2026"),
+          .keys = {QKeySequence::Print},
+          .places = {"file/4"},
+          .does = [this] { printView(); }}});
+}
+
+void FileCommands::printView()
+{
+    const auto print = [this] {
+        printSheet(&m_window,
+                   {m_surface.grabPicture(), m_session.title(), QDateTime::currentDateTime(), m_surface.map()});
+    };
+    if (m_solver.surface())
+        m_cover.then(print);
+    else
+        print();
 }
 
 void FileCommands::exportPicture()

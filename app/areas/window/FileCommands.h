@@ -28,6 +28,7 @@ private:
     void addSaving(Commands& commands);
     void addExchange(Commands& commands);
     void exportPicture();
+    void printView();
     void renderPicture();
 
     FileFlow& m_files;

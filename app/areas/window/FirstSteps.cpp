@@ -11,17 +11,18 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "StartHint.h"
+#include "StartPage.h"
 
 namespace bolster {
 
 FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-                       PatternView& pattern, CoverView& surface, FileFlow& files)
+                       PatternView& pattern, CoverView& surface, FileFlow& files, StartPage& page)
     : m_session(session)
     , m_selection(selection)
     , m_pattern(pattern)
     , m_surface(surface)
 {
-    hintAtStart(commands, files);
+    hintAtStart(commands, files, page);
     showFreeCover(solver);
     hintAtNext(commands);
     connect(&pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
@@ -30,7 +31,7 @@ FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& se
     });
 }
 
-void FirstSteps::hintAtStart(Commands& commands, FileFlow& files)
+void FirstSteps::hintAtStart(Commands& commands, FileFlow& files, StartPage& page)
 {
     auto* hint = new StartHint(m_session.document(), m_pattern);
     connect(hint, &StartHint::rectangleWanted, this, [this] { m_pattern.setTool(PatternToolKind::Rectangle); });
@@ -38,6 +39,7 @@ void FirstSteps::hintAtStart(Commands& commands, FileFlow& files)
     connect(hint, &StartHint::frameWanted, commands["file.import-frame"], &QAction::trigger);
     connect(hint, &StartHint::openWanted, this, [&files] { files.open(); });
     connect(hint, &StartHint::fileWanted, this, [&files](const QString& path) { files.open(path); });
+    connect(&page, &StartPage::toggled, hint, &StartHint::setCovered);
     connect(&m_pattern, &PatternView::toolChanged, hint,
             [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
 }

@@ -12,14 +12,15 @@ class PatternView;
 class Selection;
 class SolverLink;
 class CoverView;
+class StartPage;
 
 class FirstSteps : public QObject {
 public:
     FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-               PatternView& pattern, CoverView& surface, FileFlow& files);
+               PatternView& pattern, CoverView& surface, FileFlow& files, StartPage& page);
 
 private:
-    void hintAtStart(Commands& commands, FileFlow& files);
+    void hintAtStart(Commands& commands, FileFlow& files, StartPage& page);
     void showFreeCover(SolverLink& solver);
     void hintAtNext(Commands& commands);
     void showDrawn();

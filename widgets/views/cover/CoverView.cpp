@@ -96,6 +96,11 @@ void CoverView::setMap(const ShownMapPtr& map)
     m_shown.setMap(map);
 }
 
+const ShownMapPtr& CoverView::map() const
+{
+    return m_legend->map();
+}
+
 void CoverView::setMapReading(const QString& reading)
 {
     m_legend->setReading(reading);

@@ -58,6 +58,7 @@ public:
 
     /// Colours on the cover; null for none.
     void setMap(const bolster::ShownMapPtr& map);
+    const ShownMapPtr& map() const;
     /// What the map says under the pointer.
     void setMapReading(const QString& reading);
     /// Cuts open what is shown; a panel in the corner moves the plane.

@@ -1,0 +1,27 @@
+// The 3D view on paper: its picture with title and date, and what the colours of a map mean.
+#pragma once
+
+#include "ShownMap.h"
+
+#include <QDateTime>
+#include <QImage>
+#include <QString>
+
+class QPagedPaintDevice;
+class QWidget;
+
+namespace bolster {
+
+struct ViewSheet {
+    QImage picture;
+    QString title;
+    QDateTime when;
+    ShownMapPtr map; ///< null when the fabrics are shown
+};
+
+/// One page, as large as its margins allow. Whether it could be painted.
+bool paintSheet(QPagedPaintDevice& paper, const ViewSheet& sheet);
+/// Asks for the printer; A4, upright or lying as the picture fits better.
+void printSheet(QWidget* window, const ViewSheet& sheet);
+
+} // namespace bolster

@@ -1,0 +1,16 @@
+// Designs to begin from: they come with the program, and are opened as new ones without a name.
+#pragma once
+
+#include "Samples.h"
+
+namespace bolster {
+
+/// Where they are, as samplesFolder(). "" when nowhere.
+QString templatesFolder();
+/// NAME.json and NAME.bolster of the folder. What their names mean is said in the user's language; a design of
+/// somebody's own has its file's name.
+QList<Sample> templates(const QString& folder = templatesFolder());
+/// The picture of a sample or template: NAME.png beside it, which may not be there.
+QString pictureBeside(const QString& design);
+
+} // namespace bolster
