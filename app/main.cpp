@@ -1,8 +1,9 @@
 // Bolster: the workbench, or a subcommand without a window.
+#include "ApplyPreferences.h"
 #include "CommandLine.h"
 #include "Icons.h"
 #include "MainWindow.h"
-#include "Theme.h"
+#include "PreferenceStore.h"
 #include "Translations.h"
 
 #include <QApplication>
@@ -49,8 +50,10 @@ int main(int argc, char* argv[])
     QCoreApplication::setApplicationVersion(QStringLiteral(BOLSTER_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("bolster"));
     QApplication::setWindowIcon(icon(QStringLiteral("bolster")));
+    const Preferences preferences = storedPreferences();
+    QLocale::setDefault(localeOf(preferences));
     installTranslations(application, QLocale());
-    applyTheme(application, storedTheme());
+    applyLooks(application, preferences);
 
     MainWindow window;
     window.show();

@@ -1,16 +1,14 @@
-// Light and dark.
+// Light, dark, and with high contrast.
 #pragma once
 
 class QApplication;
 
 namespace bolster {
 
-enum class Theme { System, Light, Dark };
+/// Settings keep their numbers.
+enum class Theme { System, Light, Dark, HighContrast };
 
 /// Colours and style of the whole program; may be called again at any time.
 void applyTheme(QApplication& application, Theme theme);
-/// What was chosen last.
-Theme storedTheme();
-void storeTheme(Theme theme);
 
 } // namespace bolster

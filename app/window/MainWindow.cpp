@@ -17,6 +17,7 @@
 #include "MapLink.h"
 #include "PatternView.h"
 #include "PlainLabels.h"
+#include "PreferenceStore.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
 #include "SavedViews.h"
@@ -58,6 +59,7 @@ void fillToolBar(QToolBar& bar, Commands& commands)
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
+    , m_preferences(std::make_unique<PreferenceStore>())
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
