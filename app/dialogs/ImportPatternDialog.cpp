@@ -292,7 +292,7 @@ void ImportPatternDialog::tellWhatIsOdd()
         lines << tr("%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are "
                     "outlines.",
                     nullptr, static_cast<int>(m_pattern->open.size()))
-                     .arg(lengthText(gap, gap < 10 ? 2 : 0));
+                     .arg(steadyLengthText(gap, gap < 10 ? 2 : 0));
     }
     if (m_pattern->doubled > 0)
         lines << tr("%n lines lay twice on themselves and are taken once.", nullptr, m_pattern->doubled);

@@ -24,7 +24,7 @@ public:
     {
         const FixationCurve* curve = design.find<FixationCurve>(off.curve);
         const QString name = curve ? QString::fromStdString(curve->name) : QString();
-        const QString distance = lengthText(off.distance, off.distance < 10 ? 1 : 0);
+        const QString distance = steadyLengthText(off.distance, off.distance < 10 ? 1 : 0);
         if (off.fromEdge && off.distance < farthestLooked)
             return tr("\u201c%1\u201d: its edge is up to %2 away").arg(name, distance);
         return off.distance < farthestLooked ? tr("\u201c%1\u201d: up to %2").arg(name, distance)

@@ -36,7 +36,7 @@ Theme themeOf(const Preferences& preferences)
 
 QLocale localeOf(const Preferences& preferences)
 {
-    const QLocale system = QLocale::system(), wanted(preferences.language);
+    const QLocale system, wanted(preferences.language); // the default is the system's until another is set
     return preferences.language.isEmpty() || wanted.language() == system.language() ? system : wanted;
 }
 

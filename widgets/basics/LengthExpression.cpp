@@ -154,7 +154,7 @@ private:
         while (length && length->power == 1 && m_unit && digitFollows()) {
             const double larger = m_unit->millimetres;
             const bool afterFeet = larger == feet;
-            const Parsed more = number();
+            const Parsed more = fractionOrNumber();
             if (!more)
                 return std::nullopt;
             const Unit* unit = takeUnit();
@@ -164,6 +164,18 @@ private:
             length->value += std::signbit(length->value) ? -by : by;
         }
         return length;
+    }
+
+    /// "1/2", where a quotient of the whole would make no sense.
+    Parsed fractionOrNumber()
+    {
+        static const QRegularExpression pattern(QStringLiteral("(\\d{1,4})\\s*/\\s*([1-9]\\d{0,3})(?![\\d.,])"));
+        const auto found = pattern.match(m_text, m_at, QRegularExpression::NormalMatch,
+                                         QRegularExpression::AnchorAtOffsetMatchOption);
+        if (!found.hasMatch())
+            return number();
+        m_at += found.capturedLength();
+        return Quantity{found.captured(1).toDouble() / found.captured(2).toDouble()};
     }
 
     bool digitFollows()

@@ -116,7 +116,7 @@ ViewMove moveOf(const MousePreset& preset, MouseView view, Qt::MouseButton butto
     int most = -1;
     for (const MouseBinding& binding : bindingsOf(preset, view)) {
         const bool fits = binding.button == button && (keys & binding.keys) == binding.keys;
-        if (const int count = std::popcount(binding.keys.toInt()); fits && count > most) {
+        if (const int count = std::popcount(static_cast<unsigned>(binding.keys.toInt())); fits && count > most) {
             most = count;
             move = binding.move;
         }

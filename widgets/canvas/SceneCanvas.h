@@ -35,8 +35,8 @@ public:
     /// Pictures stay as quick as while something moves: for slow machines and screens far away.
     void setReduced(bool reduced)
     {
-        m_reduced = reduced;
-        refresh(false);
+        if (std::exchange(m_reduced, reduced) != reduced)
+            refresh(false);
     }
     /// The finest picture, now.
     virtual QImage grab() = 0;
