@@ -1,10 +1,10 @@
 #include "PreferencesWindow.h"
 
 #include "Ask.h"
-#include "ElementText.h"
 #include "Icons.h"
 #include "MouseStyle.h"
 #include "NumberBox.h"
+#include "Translated.h"
 #include "ViewColors.h"
 #include "WholeFile.h"
 

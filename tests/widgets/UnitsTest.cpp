@@ -2,6 +2,7 @@
 #include "LengthExpression.h"
 #include "NumberBox.h"
 #include "PatternGrid.h"
+#include "Translated.h"
 
 #include <QTest>
 
@@ -136,6 +137,19 @@ TEST(Units, TheDecimalSignIsTheChosenOne)
     const StyledNumbers point({LengthUnit::Millimetres, 16, DecimalSign::Point});
     EXPECT_EQ(lengthText(1234.5), "1234.5 mm");
     EXPECT_DOUBLE_EQ(typedLength("1.500"), 1.5);
+}
+
+TEST(Units, SentencesOfTheModelHaveThem)
+{
+    const Message length{"%1 is %2 mm long, at least 5 mm", {"Seat 20 mm", "314.3"}};
+    EXPECT_EQ(translated(length), "Seat 20 mm is 314.3 mm long, at least 5 mm");
+    {
+        const StyledNumbers style(inInches(16));
+        EXPECT_EQ(translated(length), QStringLiteral("Seat 20 mm is 12 3/8\u2033 long, at least 3/16\u2033"));
+        EXPECT_EQ(translated(Message{"%1 mm, %1", {"25.4"}}), QStringLiteral("1\u2033, 25.4"));
+    }
+    const StyledNumbers style({LengthUnit::Centimetres, 16, DecimalSign::Comma});
+    EXPECT_EQ(translated(length), "Seat 20 mm is 31,43 cm long, at least 0,5 cm");
 }
 
 TEST(NumberBox, ShowsAndTakesInchesAndKeepsMillimetres)

@@ -1,5 +1,7 @@
 #include "Units.h"
 
+#include "Translated.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -34,6 +36,10 @@ void NumberStyles::set(const NumberStyle& style)
     if (style == m_now)
         return;
     m_now = style;
+    NumbersTold told{nullptr, [] { return numberLocale().decimalPoint(); }};
+    if (style.length != LengthUnit::Millimetres)
+        told.length = [](double millimetres) { return lengthText(millimetres, 2); };
+    tellNumbersAs(told);
     emit changed();
 }
 

@@ -23,7 +23,7 @@ PreferenceCommands::PreferenceCommands(Commands& commands, PreferenceStore& stor
     , m_parts(parts)
 {
     commands.add({.id = "edit.preferences",
-                  .text = tr("Prefere&nces \u2026"),
+                  .text = tr("Pre&ferences \u2026"),
                   .icon = "settings",
                   .keys = {Qt::CTRL | Qt::Key_Comma},
                   .tip = tr("Units, language, theme, mouse, keys and more"),
