@@ -19,8 +19,9 @@ ViewColors ViewColors::of(const QPalette& palette)
     c.dark = base.lightness() < 128;
     c.canvas =
         c.dark ? mixed(base, palette.color(QPalette::Active, QPalette::Window), 0.35) : mixed(base, text, 0.02);
-    // Black on white, or white on black: whoever wants that wants it in the views, too.
-    const bool strong = std::abs(base.lightness() - text.lightness()) > 250;
+    // Of the theme with high contrast, in which nothing is set apart by shades.
+    const bool strong = base == palette.color(QPalette::Active, QPalette::Window) &&
+                        std::abs(base.lightness() - text.lightness()) > 250;
     c.gridMinor = mixed(c.canvas, text, c.dark ? 0.045 : 0.05);
     c.gridMajor = mixed(c.canvas, text, c.dark ? 0.10 : 0.11);
     c.outline = mixed(c.canvas, text, 0.82);
