@@ -80,6 +80,8 @@ QString pageTitle(PreferencePage page)
         return PreferenceWords::tr("Mouse");
     case PreferencePage::Keys:
         return PreferenceWords::tr("Keyboard");
+    case PreferencePage::Pattern:
+        return PreferenceWords::tr("Pattern view");
     case PreferencePage::Drawing:
         return PreferenceWords::tr("3D view");
     case PreferencePage::Work:
@@ -132,6 +134,14 @@ const std::vector<PreferenceRow>& preferenceTable()
          QT_TRANSLATE_NOOP("Preferences",
                            "Some commands get the keys that you know from there. Keys that you have chosen "
                            "yourself stay.")},
+        {"drawing/snapping", Page::Pattern, &P::snapping, OnOff{},
+         QT_TRANSLATE_NOOP("Preferences", "Snap to points, edges, guides and the grid"),
+         QT_TRANSLATE_NOOP("Preferences", "magnet catch align"),
+         QT_TRANSLATE_NOOP("Preferences", "Ctrl or Alt lets go while you drag.")},
+        {"drawing/rulers", Page::Pattern, &P::rulers, OnOff{}, QT_TRANSLATE_NOOP("Preferences", "Show rulers"),
+         QT_TRANSLATE_NOOP("Preferences", "scale measure")},
+        {"drawing/guides", Page::Pattern, &P::guides, OnOff{}, QT_TRANSLATE_NOOP("Preferences", "Show guides"),
+         QT_TRANSLATE_NOOP("Preferences", "lines help")},
         {"view/drawing", Page::Drawing, &P::drawing, OneOf{&drawingChoices},
          QT_TRANSLATE_NOOP("Preferences", "Quality of the picture"),
          QT_TRANSLATE_NOOP("Preferences", "performance slow fast remote desktop graphics opengl"),

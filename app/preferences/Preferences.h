@@ -24,6 +24,9 @@ struct Preferences {
     QString mouse = QStringLiteral("bolster"); ///< id of a MousePreset
     bool invertZoom = false;
     QString keys = QStringLiteral("bolster"); ///< id of a KeyPreset
+    bool snapping = true;
+    bool rulers = true;
+    bool guides = true;
     QString drawing = QStringLiteral("full"); ///< or "reduced"
     bool reducedMotion = false;
     int daysInBin = 30;
@@ -34,10 +37,10 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-enum class PreferencePage { Units, Looks, Mouse, Keys, Drawing, Work, Designs };
+enum class PreferencePage { Units, Looks, Mouse, Keys, Pattern, Drawing, Work, Designs };
 constexpr PreferencePage preferencePages[] = {
-    PreferencePage::Units,   PreferencePage::Looks, PreferencePage::Mouse,  PreferencePage::Keys,
-    PreferencePage::Drawing, PreferencePage::Work,  PreferencePage::Designs};
+    PreferencePage::Units,   PreferencePage::Looks,   PreferencePage::Mouse, PreferencePage::Keys,
+    PreferencePage::Pattern, PreferencePage::Drawing, PreferencePage::Work,  PreferencePage::Designs};
 QString pageTitle(PreferencePage page);
 
 struct PreferenceChoice {

@@ -252,6 +252,20 @@ TEST_F(PreferencesTest, AThemeAndLargerLettersComeAtOnce)
     shown.close();
 }
 
+TEST_F(PreferencesTest, TogglesOfTheMenusAreTheSameSettings)
+{
+    QAction* rulers = window.command("draw.rulers");
+    ASSERT_TRUE(rulers->isChecked());
+    PreferencesWindow& shown = preferences();
+    shown.showPage(PreferencePage::Pattern);
+    QTest::mouseClick(&editor<QCheckBox>(shown, "drawing/rulers"), Qt::LeftButton, {}, {8, 8});
+    EXPECT_FALSE(rulers->isChecked());
+    rulers->trigger();
+    EXPECT_TRUE(editor<QCheckBox>(shown, "drawing/rulers").isChecked());
+    EXPECT_EQ(window.preferences().now(), Preferences());
+    shown.close();
+}
+
 TEST_F(PreferencesTest, DefaultsComeBackOnOnePageOnly)
 {
     PreferencesWindow& shown = preferences();

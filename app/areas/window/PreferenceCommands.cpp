@@ -12,8 +12,11 @@
 #include "PreferencesWindow.h"
 #include "SolverLink.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QMainWindow>
+
+#include <utility>
 
 namespace bolster {
 
@@ -34,6 +37,23 @@ PreferenceCommands::PreferenceCommands(Commands& commands, PreferenceStore& stor
         apply();
     });
     apply();
+    const std::pair<const char*, const char*> toggles[] = {{"drawing/snapping", "draw.snapping"},
+                                                           {"drawing/rulers", "draw.rulers"},
+                                                           {"drawing/guides", "draw.guides"}};
+    for (const PreferenceRow& setting : preferenceTable())
+        for (const auto& [key, id] : toggles)
+            if (QLatin1String(key) == QLatin1String(setting.key))
+                followToggle(setting, *commands[id]);
+}
+
+void PreferenceCommands::followToggle(const PreferenceRow& setting, QAction& toggle)
+{
+    connect(&toggle, &QAction::toggled, this, [this, &setting](bool on) {
+        if (const auto wanted = withValue(m_store.now(), setting, on))
+            m_store.set(*wanted);
+    });
+    connect(&m_store, &PreferenceStore::changed, &toggle,
+            [this, &setting, &toggle] { toggle.setChecked(valueOf(m_store.now(), setting).toBool()); });
 }
 
 void PreferenceCommands::keysAreLoaded(HelpCommands& help)

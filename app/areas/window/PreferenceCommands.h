@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QPointer>
 
+class QAction;
 class QMainWindow;
 
 namespace bolster {
@@ -41,6 +42,8 @@ public:
 
 private:
     void apply();
+    /// Settings that have a toggle in the menus, too.
+    void followToggle(const PreferenceRow& setting, QAction& toggle);
 
     Commands& m_commands;
     PreferenceStore& m_store;
