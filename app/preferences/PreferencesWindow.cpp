@@ -88,9 +88,11 @@ void PreferencesWindow::build(const std::function<void()>& editKeys)
 {
     m_search->setPlaceholderText(tr("Find a setting"));
     m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(tr("Find a setting"));
     m_search->setObjectName(QStringLiteral("search"));
     m_search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     m_pages->setObjectName(QStringLiteral("pages"));
+    m_pages->setAccessibleName(tr("Pages"));
     for (const PreferencePage page : preferencePages) {
         auto* item = new QListWidgetItem(pageTitle(page), m_pages);
         item->setData(pageRole, static_cast<int>(page));
@@ -101,6 +103,7 @@ void PreferencesWindow::build(const std::function<void()>& editKeys)
     m_scroll->setWidget(buildSections(editKeys));
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setAccessibleName(tr("Settings"));
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
     auto* left = new QVBoxLayout;
@@ -159,6 +162,7 @@ void PreferencesWindow::addRow(QGridLayout& grid, QWidget& box, const Preference
     if (!check) {
         auto* label = new QLabel(setting.labelText(), &box);
         label->setBuddy(row.editor);
+        row.editor->setAccessibleName(setting.labelText());
         row.parts << label;
         grid.addWidget(label, line, 0, Qt::AlignLeft | Qt::AlignVCenter);
     }
@@ -215,6 +219,7 @@ QWidget* PreferencesWindow::editorFor(const PreferenceRow& setting, QWidget& box
     auto* name = new QLineEdit(folder);
     name->setMinimumWidth(editorWidth);
     name->setPlaceholderText(tr("none"));
+    name->setAccessibleName(setting.labelText());
     auto* choose = new QPushButton(tr("Choose \u2026"), folder);
     choose->setAutoDefault(false);
     auto* line = new QHBoxLayout(folder);
