@@ -1,13 +1,14 @@
 // Bolster: the workbench, or a subcommand without a window.
+#include "ApplyPreferences.h"
 #include "Ask.h"
 #include "CommandLine.h"
 #include "Icons.h"
 #include "MainWindow.h"
 #include "OwnWindow.h"
 #include "PortableFolder.h"
+#include "PreferenceStore.h"
 #include "ProgramPlace.h"
 #include "RunLog.h"
-#include "Theme.h"
 #include "Translated.h"
 #include "Translations.h"
 
@@ -84,9 +85,11 @@ int main(int argc, char* argv[])
     }
     QApplication application(argc, argv);
     application.setProperty("portable", portable);
+    const Preferences preferences = storedPreferences();
+    QLocale::setDefault(localeOf(preferences));
     prepare(application);
     beginRunLog(runLogFolder());
-    applyTheme(application, storedTheme());
+    applyLooks(application, preferences);
 
     MainWindow window;
     window.show();

@@ -2,6 +2,7 @@
 
 #include "Commands.h"
 #include "Icons.h"
+#include "MouseStyle.h"
 #include "Units.h"
 
 #include <QCoreApplication>
@@ -93,18 +94,21 @@ Rows mouseInPattern()
              "first point closes")},
         {HelpDialogs::tr("Not snapped"), HelpDialogs::tr("hold Ctrl or Alt")},
         {HelpDialogs::tr("Select in a loop"), HelpDialogs::tr("Alt and drag")},
-        {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
+        {HelpDialogs::tr("Move by %1, by %2").arg(lengthText(nudgeLength(false)), lengthText(nudgeLength(true))),
+         HelpDialogs::tr("arrow keys, Shift+arrow keys")},
         {HelpDialogs::tr("Next patch or control point, previous one"), HelpDialogs::tr("Tab, Shift+Tab")},
-        {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
-        {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
+        {HelpDialogs::tr("Pan"),
+         HelpDialogs::tr("%1, or Space and drag").arg(allMouseTexts(MouseView::Pattern, ViewMove::Pan))},
+        {HelpDialogs::tr("Zoom"), allMouseTexts(MouseView::Pattern, ViewMove::Zoom)}};
 }
 
 Rows mouseInCover()
 {
-    return {{HelpDialogs::tr("Turn"), HelpDialogs::tr("middle button, or drag beside the cover")},
-            {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button")},
+    return {{HelpDialogs::tr("Turn"),
+             HelpDialogs::tr("%1, or drag beside the cover").arg(allMouseTexts(MouseView::Cover, ViewMove::Turn))},
+            {HelpDialogs::tr("Pan"), allMouseTexts(MouseView::Cover, ViewMove::Pan)},
             {HelpDialogs::tr("Commands for what lies there"), HelpDialogs::tr("right button, without a drag")},
-            {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")},
+            {HelpDialogs::tr("Zoom"), allMouseTexts(MouseView::Cover, ViewMove::Zoom)},
             {HelpDialogs::tr("Move control points of curves"),
              HelpDialogs::tr(
                  "drag; those on a frame stay on it: Ctrl lifts them off, S lets go; X, Y, Z keep to an axis")},

@@ -32,7 +32,7 @@ void carryOver(QSettings& settings, const QAction& action)
 
 } // namespace
 
-Shortcuts::Shortcuts(const QList<QAction*>& actions)
+Shortcuts::Shortcuts(const QList<QAction*>& actions, const KeyPreset& preset)
 {
     QSettings settings;
     for (QAction* action : actions) {
@@ -40,12 +40,37 @@ Shortcuts::Shortcuts(const QList<QAction*>& actions)
             continue;
         carryOver(settings, *action);
         m_actions.append(action);
-        m_own.insert(action, action->shortcuts());
+        m_program.insert(action, action->shortcuts());
     }
+    setPreset(preset);
+}
+
+void Shortcuts::setPreset(const KeyPreset& preset)
+{
+    m_own = m_program;
+    for (const auto& [id, keys] : preset.keys)
+        for (QAction* action : m_actions)
+            if (action->objectName() == QLatin1String(id))
+                m_own[action] = keys.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{keys};
+    const QSettings settings;
+    QList<QKeySequence> chosen;
+    const auto stored = [&](const QAction* action) { return settings.contains(group + action->objectName()); };
     for (QAction* action : m_actions)
-        if (const QString key = group + action->objectName(); settings.contains(key))
-            apply(*action,
-                  QKeySequence::listFromString(settings.value(key).toString(), QKeySequence::PortableText));
+        if (stored(action)) {
+            apply(*action, QKeySequence::listFromString(settings.value(group + action->objectName()).toString(),
+                                                        QKeySequence::PortableText));
+            chosen += action->shortcuts();
+        }
+    const auto taken = [&](const QKeySequence& own) {
+        return std::ranges::any_of(chosen, [&](const QKeySequence& keys) { return clash(own, keys); });
+    };
+    for (QAction* action : m_actions)
+        if (!stored(action)) {
+            QList<QKeySequence> keys = m_own.value(action);
+            keys.removeIf(taken);
+            if (keys != action->shortcuts())
+                apply(*action, keys);
+        }
 }
 
 bool Shortcuts::changed(const QAction& action) const

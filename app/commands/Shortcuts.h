@@ -1,5 +1,7 @@
-// Which keys call which command: the program's own, and what the user has changed about them.
+// Which keys call which command: the program's own, those of a preset, and what the user has changed about them.
 #pragma once
+
+#include "KeyPresets.h"
 
 #include <QAction>
 #include <QHash>
@@ -11,8 +13,11 @@ namespace bolster {
 /// keys is kept in the settings.
 class Shortcuts {
 public:
-    /// Takes the present keys of the actions for the program's own and puts those of the settings in their place.
-    explicit Shortcuts(const QList<QAction*>& actions);
+    /// Takes the present keys of the actions for the program's own and puts those of the preset and of the settings
+    /// in their place.
+    Shortcuts(const QList<QAction*>& actions, const KeyPreset& preset);
+    /// The user's own keys stay, and what they clash with goes without.
+    void setPreset(const KeyPreset& preset);
 
     const QList<QAction*>& actions() const { return m_actions; }
     bool changed(const QAction& action) const;
@@ -32,7 +37,8 @@ private:
     void apply(QAction& action, const QList<QKeySequence>& keys);
 
     QList<QAction*> m_actions;
-    QHash<const QAction*, QList<QKeySequence>> m_own;
+    QHash<const QAction*, QList<QKeySequence>> m_program; ///< without preset
+    QHash<const QAction*, QList<QKeySequence>> m_own;     ///< with it
 };
 
 } // namespace bolster

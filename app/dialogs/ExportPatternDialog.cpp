@@ -4,6 +4,7 @@
 #include "CutLabelWords.h"
 #include "DescribedField.h"
 #include "NumberBox.h"
+#include "Units.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -280,9 +281,8 @@ QString ExportPatternDialog::summary(const Layout& layout) const
             said += QStringLiteral(" \u2013 ") + tr("the first %1 are shown").arg(shown);
     } else {
         const Vec2 size = layout.plan->table.size;
-        said = tr("%n pieces on %1 x %2 mm", nullptr, static_cast<int>(m_pattern->pieces.size()))
-                   .arg(qRound(size.x()))
-                   .arg(qRound(size.y()));
+        said = tr("%n pieces on %1", nullptr, static_cast<int>(m_pattern->pieces.size()))
+                   .arg(sizeText(size.x(), size.y()));
     }
     if (layout.plan->tooMany())
         said += QStringLiteral(" \u2013 ") + tr("too many sheets: is its unit right?");

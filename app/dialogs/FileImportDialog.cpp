@@ -28,14 +28,26 @@ namespace bolster {
 
 namespace {
 
-/// Whole millimetres, of less the first two digits.
-QString figure(double millimetres)
+/// Of whole millimetres none, of less what says the first two digits.
+int decimalsFor(double millimetres)
 {
     constexpr int most = 9;
     if (millimetres <= 0 || millimetres >= 10)
-        return decimalText(millimetres, 0, false);
-    return decimalText(millimetres, std::clamp(1 - static_cast<int>(std::floor(std::log10(millimetres))), 0, most),
-                       false);
+        return 0;
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(millimetres))), 0, most);
+}
+
+QString figure(double millimetres)
+{
+    return lengthText(millimetres, decimalsFor(millimetres));
+}
+
+QString sizeFigures(const Vec3& size)
+{
+    QStringList figures;
+    for (const double side : size)
+        figures << lengthFigure(side, decimalsFor(side));
+    return figures.join(QStringLiteral(" \u00d7 ")) + lengthSuffix();
 }
 
 } // namespace
@@ -349,9 +361,9 @@ void FileImportDialog::showThinning()
         return;
     m_thinned->setText(
         tr("The file has %1 points. That is more than are needed to fit a cover, so they were thinned "
-           "out to one every %2 mm.")
+           "out to one every %2.")
             .arg(QLocale().toString(static_cast<qulonglong>(m_content.cloud->thinnedFrom)),
-                 decimalText(m_content.cloud->spacing * placement().scale, 2, false)));
+                 lengthText(m_content.cloud->spacing * placement().scale, 2)));
 }
 
 double FileImportDialog::largestSize() const
@@ -362,7 +374,7 @@ double FileImportDialog::largestSize() const
 QString FileImportDialog::oddity(double largest) const
 {
     if (isAnother(largest, m_oldSize))
-        return tr("It was %1 mm large and becomes %2 mm: check the unit.").arg(figure(m_oldSize), figure(largest));
+        return tr("It was %1 large and becomes %2: check the unit.").arg(figure(m_oldSize), figure(largest));
     const bool odd = largest < 200 || largest > 1.5 * largestSize();
     return odd && m_oldSize == 0 ? tr("That is unusual for a piece of furniture: check the unit.") : QString();
 }
@@ -378,7 +390,7 @@ void FileImportDialog::updateSize()
         m_factor->display(millimetresPer(unit));
     const Box3 box = placedBox(m_shown, placement());
     const Vec3 size = box.isEmpty() ? Vec3::Zero().eval() : box.sizes().eval();
-    m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm").arg(figure(size.x()), figure(size.y()), figure(size.z())));
+    m_size->setText(sizeFigures(size));
     showThinning();
     m_hint->setText(oddity(size.maxCoeff()));
     QPalette colors = palette();

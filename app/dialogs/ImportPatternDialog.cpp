@@ -139,7 +139,7 @@ QWidget* ImportPatternDialog::buildChoices()
     m_lines->setObjectName(QStringLiteral("lines"));
     m_lines->addItems({tr("Sewing lines, with allowances"), tr("Cut lines, without allowance")});
     m_lines->setToolTip(tr("What the outlines of patches become where the file has both lines."));
-    m_gap = new NumberBox({tr(" mm"), 2, 0, 1000, 1}, this);
+    m_gap = new NumberBox({millimetreSuffix, 2, 0, 1000, 1}, this);
     m_gap->setObjectName(QStringLiteral("gap"));
     m_gap->setToolTip(tr("Outlines whose ends are no farther apart are closed by a straight line."));
 
@@ -180,7 +180,7 @@ void ImportPatternDialog::chooseUnit(double unit)
     while (index < m_unit->count() && std::abs(m_unit->itemData(index).toDouble() - unit) > 1e-6 * unit)
         ++index;
     if (index == m_unit->count())
-        addUnit(tr("%1 mm").arg(QLocale().toString(unit)), unit);
+        addUnit(tr("%1 mm").arg(numberLocale().toString(unit)), unit);
     m_unit->setCurrentIndex(index);
 }
 
@@ -231,7 +231,7 @@ void ImportPatternDialog::showUnits()
     const Vec2 size = largestPiece(*m_pattern, chosen());
     const auto measures = [&](double unit) {
         const Vec2 now = size * (unit / m_unitShown);
-        return tr("%1 \u00d7 %2 mm").arg(decimalText(now.x(), 0, false), decimalText(now.y(), 0, false));
+        return sizeText(now.x(), now.y());
     };
     for (int i = 0; i < m_unit->count(); ++i) {
         const QString name = m_unit->itemData(i, unitName).toString();
@@ -266,8 +266,7 @@ void ImportPatternDialog::showPieces()
     for (const FoundPiece& piece : m_pattern->pieces) {
         const QString name = QString::fromStdString(piece.name);
         const Vec2 size = piece.cut.box().sizes();
-        QString text = tr("%1 \u2013 %2 \u00d7 %3 mm")
-                           .arg(name, decimalText(size.x(), 0, false), decimalText(size.y(), 0, false));
+        QString text = tr("%1 \u2013 %2").arg(name, sizeText(size.x(), size.y()));
         if (piece.pair)
             text += tr(", %n pairs", nullptr, static_cast<int>(piece.quantity));
         else if (piece.quantity > 1)
@@ -290,10 +289,10 @@ void ImportPatternDialog::tellWhatIsOdd()
         double gap = 0;
         for (const Contour& line : m_pattern->open)
             gap = std::max(gap, line.gap);
-        lines << tr("%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are "
+        lines << tr("%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are "
                     "outlines.",
                     nullptr, static_cast<int>(m_pattern->open.size()))
-                     .arg(QLocale().toString(gap, 'f', gap < 10 ? 2 : 0));
+                     .arg(steadyLengthText(gap, gap < 10 ? 2 : 0));
     }
     if (m_pattern->doubled > 0)
         lines << tr("%n lines lay twice on themselves and are taken once.", nullptr, m_pattern->doubled);

@@ -108,11 +108,10 @@ void SeamProposalsWindow::showProposals(const std::vector<SeamProposal>& proposa
     m_list->clear();
     const Design& design = m_document.design();
     for (const SeamProposal& proposal : proposals)
-        new QTreeWidgetItem(
-            m_list, {displayName(design, proposal.a.patch), displayName(design, proposal.b.patch),
-                     tr("%1 and %2 mm")
-                         .arg(decimalText(proposal.lengthA, 0, false), decimalText(proposal.lengthB, 0, false)),
-                     tr("%1 %").arg(QLocale().toString(qRound(100 * proposal.certainty)))});
+        new QTreeWidgetItem(m_list,
+                            {displayName(design, proposal.a.patch), displayName(design, proposal.b.patch),
+                             tr("%1 and %2").arg(lengthText(proposal.lengthA, 0), lengthText(proposal.lengthB, 0)),
+                             tr("%1 %").arg(QLocale().toString(qRound(100 * proposal.certainty)))});
     m_hint->setText(
         proposals.empty()
             ? tr("There are no free edges that seem to belong together.")

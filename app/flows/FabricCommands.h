@@ -15,6 +15,8 @@ public:
     /// The fabric that is meant: of the selection, or else the one chosen in the library; noElement for none.
     void setChosen(ElementId fabric) { m_chosen = fabric; }
     ElementId fabric() const;
+    /// Where files of fabrics are looked for first; "": where the design lies.
+    void setFolder(const QString& folder) { m_folder = folder; }
 
     void add(const Fabric& fabric);
     void duplicate();
@@ -54,6 +56,7 @@ private:
     Selection& m_selection;
     QWidget* m_window;
     ElementId m_chosen = noElement;
+    QString m_folder;
 };
 
 } // namespace bolster

@@ -45,6 +45,8 @@ Message writeFabric(const Fabric& fabric, const QString& picture, const QString&
 
 QString FabricCommands::startFolder() const
 {
+    if (!m_folder.isEmpty() && QFileInfo(m_folder).isDir())
+        return m_folder;
     return m_session.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                                       : QFileInfo(m_session.path()).absolutePath();
 }

@@ -61,4 +61,18 @@ std::vector<Fabric> fabricPresets()
     return fabrics;
 }
 
+QStringList fabricPresetKeys()
+{
+    QStringList keys;
+    for (const Preset& preset : presets)
+        keys << QString::fromLatin1(preset.name);
+    return keys;
+}
+
+std::optional<Fabric> fabricPreset(const QString& key)
+{
+    const qsizetype at = fabricPresetKeys().indexOf(key);
+    return at < 0 ? std::nullopt : std::optional(fabricPresets()[static_cast<std::size_t>(at)]);
+}
+
 } // namespace bolster

@@ -172,7 +172,8 @@ void FileFlow::offerWorkSalvage(const WorkJournal::Left& damaged)
         newBox(QMessageBox::Question, tr("The unsaved work on \"%1\" is damaged.").arg(nameOf(damaged)),
                QMessageBox::Cancel);
     box->setInformativeText(tr("What can be read goes into a new project. What you do not want any more is deleted "
-                               "30 days after it was put into the bin."));
+                               "%n days after it was put into the bin.",
+                               nullptr, WorkJournal::daysInBin()));
     const QAbstractButton* rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
     const QAbstractButton* bin = box->addButton(tr("Put it into the &bin"), QMessageBox::DestructiveRole);
     openQuestion(box, [this, rescue, bin, damaged](const QAbstractButton* pressed) {

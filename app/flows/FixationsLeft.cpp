@@ -3,6 +3,7 @@
 #include "Ask.h"
 #include "Background.h"
 #include "FrameEdges.h"
+#include "Units.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -23,11 +24,11 @@ public:
     {
         const FixationCurve* curve = design.find<FixationCurve>(off.curve);
         const QString name = curve ? QString::fromStdString(curve->name) : QString();
-        const QString distance = QLocale().toString(off.distance, 'f', off.distance < 10 ? 1 : 0);
+        const QString distance = steadyLengthText(off.distance, off.distance < 10 ? 1 : 0);
         if (off.fromEdge && off.distance < farthestLooked)
-            return tr("\u201c%1\u201d: its edge is up to %2 mm away").arg(name, distance);
-        return off.distance < farthestLooked ? tr("\u201c%1\u201d: up to %2 mm").arg(name, distance)
-                                             : tr("\u201c%1\u201d: more than %2 mm").arg(name, distance);
+            return tr("\u201c%1\u201d: its edge is up to %2 away").arg(name, distance);
+        return off.distance < farthestLooked ? tr("\u201c%1\u201d: up to %2").arg(name, distance)
+                                             : tr("\u201c%1\u201d: more than %2").arg(name, distance);
     }
 
     static void tell(QWidget* window, const Design& design, const std::vector<FixationOff>& left)

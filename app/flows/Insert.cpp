@@ -4,6 +4,7 @@
 #include "ElementEdits.h"
 #include "FramePieces.h"
 #include "TriangleTree.h"
+#include "Units.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -129,11 +130,9 @@ QString voxelNote(const Edit& inserted)
     const double usual = Cushion().voxel;
     if (!cushion || cushion->voxel == usual)
         return {};
-    const QLocale locale;
-    return QCoreApplication::translate("Insert",
-                                       "This frame is large: its smallest detail is set to %1 mm; the usual "
-                                       "%2 mm would need too much memory.")
-        .arg(locale.toString(cushion->voxel), locale.toString(usual));
+    return QCoreApplication::translate("Insert", "This frame is large: its smallest detail is set to %1; the usual "
+                                                 "%2 would need too much memory.")
+        .arg(lengthText(cushion->voxel, 3), lengthText(usual, 3));
 }
 
 Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam::Shape shape,

@@ -53,10 +53,15 @@ QString causeText(const Design& design, const Cause& cause)
 QString amountText(const Explanation& one, Cause::Kind kind)
 {
     QStringList numbers;
+    const QString unit = u' ' + QString::fromLatin1(unitOf(kind));
+    const bool lengths = unit == millimetreSuffix;
+    const auto figure = [&](double value) {
+        return lengths ? steadyLengthFigure(value) : decimalText(value, 1, true);
+    };
     for (Eigen::Index k = 0; k < one.values.size(); ++k)
-        numbers << (one.values[k] > 0 ? QStringLiteral("+") : QString()) + decimalText(one.values[k], 1, true) +
-                       QStringLiteral(" \u00b1 ") + decimalText(one.spreads[k], 1, true);
-    return numbers.join(QStringLiteral(", ")) + u' ' + QString::fromLatin1(unitOf(kind));
+        numbers << (one.values[k] > 0 ? QStringLiteral("+") : QString()) + figure(one.values[k]) +
+                       QStringLiteral(" \u00b1 ") + figure(one.spreads[k]);
+    return numbers.join(QStringLiteral(", ")) + (lengths ? lengthSuffix() : unit);
 }
 
 } // namespace

@@ -216,7 +216,7 @@ QWidget* PatternFitWindow::buildLocks()
     for (QCheckBox* check : {m_lengths, m_straight, m_corners})
         checks->addWidget(check);
     checks->addStretch(1);
-    m_most = new NumberBox({tr(" mm"), 2, 0.1, 1000, 1, true}, box);
+    m_most = new NumberBox({millimetreSuffix, 2, 0.1, 1000, 1, true}, box);
     m_most->display(20);
     auto* label = new QLabel(tr("No point &moves farther than"), box);
     label->setBuddy(m_most);

@@ -109,7 +109,7 @@ QWidget* ReliefWindow::buildOrder()
     m_limit->display(StretchLimits{}.along);
     m_limit->setEnabled(false);
     connect(m_ownLimit, &QCheckBox::toggled, m_limit, &QWidget::setEnabled);
-    m_most = new NumberBox({tr(" mm"), 2, 0.1, 100, 1, true}, box);
+    m_most = new NumberBox({millimetreSuffix, 2, 0.1, 100, 1, true}, box);
     m_most->display(ReliefOrder{}.most);
     auto* label = new QLabel(tr("Edges move &by at most"), box);
     label->setBuddy(m_most);

@@ -158,7 +158,8 @@ QWidget* SweepWindow::buildTolerances()
     auto* grid = new QGridLayout(box);
     int place = 0;
     for (const ToleranceKind& kind : kinds) {
-        auto* spread = new NumberBox({kind.percent ? tr(" %") : tr(" mm"), 2, 0, 50, 0.5, !kind.percent}, box);
+        auto* spread =
+            new NumberBox({kind.percent ? tr(" %") : millimetreSuffix, 2, 0, 50, 0.5, !kind.percent}, box);
         spread->display(kind.usual);
         spread->setToolTip(tr(kind.tip));
         auto* label = new QLabel(tr(kind.label), box);
@@ -186,7 +187,7 @@ QWidget* SweepWindow::buildPieces()
     m_samples = new NumberBox({QString(), 0, 0, 10'000, 50}, box);
     m_samples->display(usualSamples);
     m_samples->setToolTip(tr("Before them ten thousand are drawn as if covers were linear, which takes seconds"));
-    m_limit = new NumberBox({tr(" mm"), 2, 0.01, 1000, 0.5, true}, box);
+    m_limit = new NumberBox({millimetreSuffix, 2, 0.01, 1000, 0.5, true}, box);
     m_limit->display(usualLimit);
     m_limit->setToolTip(
         tr("A piece is out of it when more than 5 % of its cover lie farther from where they should"));
@@ -317,7 +318,7 @@ void SweepWindow::showMap()
     map->kind = MapScale::Kind::Sequential;
     map->limit = ShownMap::usualLimit(static_cast<double>(*std::ranges::max_element(m_found->p95)));
     map->title = tr("What 95 % of the pieces do not exceed");
-    map->unit = QStringLiteral(" mm");
+    map->unit = millimetreSuffix;
     m_maps.setGuest(std::move(map));
 }
 

@@ -27,7 +27,10 @@ void CoverGlide::start(SurfaceMeshPtr from, SurfaceMeshPtr to)
     m_steps.stop();
     m_from = std::move(from);
     m_to = std::move(to);
-    m_steps.start();
+    if (m_animated)
+        m_steps.start();
+    else
+        finish();
 }
 
 void CoverGlide::finish()

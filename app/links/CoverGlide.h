@@ -14,6 +14,8 @@ public:
     /// `show` takes each step; the last one is the surface itself.
     explicit CoverGlide(std::function<void(const SurfaceMeshPtr&)> show);
 
+    /// Else the last step comes at once.
+    void setAnimated(bool animated) { m_animated = animated; }
     /// Both have the same topology.
     void start(SurfaceMeshPtr from, SurfaceMeshPtr to);
     /// The last step at once, if there are any to come.
@@ -27,6 +29,7 @@ private:
     std::function<void(const SurfaceMeshPtr&)> m_show;
     SurfaceMeshPtr m_from, m_to;
     QVariantAnimation m_steps;
+    bool m_animated = true;
 };
 
 } // namespace bolster

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <utility>
 
 namespace bolster {
 
@@ -116,9 +117,17 @@ void CoverLink::setPixelSize(double mm)
         m_rest.start();
 }
 
+void CoverLink::setReduced(bool reduced)
+{
+    if (std::exchange(m_reduced, reduced) != reduced && m_surface)
+        m_rest.start();
+}
+
 /// Of subdivision.
 int CoverLink::levels() const
 {
+    if (m_reduced)
+        return 0;
     const std::uint32_t vertices = m_surface->topology->vertexCount();
     if (vertices <= mostForTwoLevels)
         return 2;

@@ -23,6 +23,8 @@ public slots:
     void setSurface(const bolster::SurfaceMeshPtr& surface);
     /// mm that a pixel of the picture shows: triangles that are small enough on the screen are not divided.
     void setPixelSize(double mm);
+    /// The cover is shown with the triangles of its surface, not with finer ones.
+    void setReduced(bool reduced);
     /// Whose seams are trimmed.
     void setDesign(const bolster::Design& design);
 
@@ -49,6 +51,7 @@ private:
     Design m_design;
     double m_pixelSize = 0; ///< 0: not known
     int m_asked = 0;        ///< levels
+    bool m_reduced = false;
     QTimer m_rest;
     LatestJob<Wanted, Made> m_job; ///< last: it uses the others
 };

@@ -20,7 +20,7 @@ QString unitOf(CoverMap::Kind kind)
     switch (kind) {
     case CoverMap::Kind::Thickness:
     case CoverMap::Kind::Deviation:
-        return QStringLiteral(" mm");
+        return millimetreSuffix;
     case CoverMap::Kind::Curvature:
         return QStringLiteral(" 1/m");
     default:
@@ -28,9 +28,15 @@ QString unitOf(CoverMap::Kind kind)
     }
 }
 
+QString shownUnit(const QString& unit)
+{
+    return unit == millimetreSuffix ? lengthSuffix() : unit;
+}
+
 QString figureText(double value, const QString& unit)
 {
-    return decimalText(value, std::abs(value) >= 100 ? 0 : 1, true) + unit;
+    const int digits = std::abs(value) >= 100 ? 0 : 1;
+    return unit == millimetreSuffix ? steadyLengthText(value, digits) : decimalText(value, digits, true) + unit;
 }
 
 /// What negative and positive numbers of a map mean.
@@ -83,6 +89,7 @@ MapLink::MapLink(DesignSession& session, QObject* parent)
     connect(&session.document(), &Document::changed, this, &MapLink::request);
     connect(&session, &DesignSession::filesChanged, this, &MapLink::request);
     connect(&session, &DesignSession::opened, this, &MapLink::request);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &MapLink::request); // spots are told in words
 }
 
 MapLink::~MapLink() = default;
@@ -120,7 +127,7 @@ PictureLegend MapLink::legend(const CoverMap& map)
     PictureLegend legend;
     legend.scale = map.scale;
     legend.title = title(map.kind).toStdString();
-    legend.lowest = end(both ? figureText(-limit, unit) : decimalText(0, 0, false) + unit, below);
+    legend.lowest = end(both ? figureText(-limit, unit) : decimalText(0, 0, false) + shownUnit(unit), below);
     legend.middle = decimalText(0, 0, false).toStdString();
     legend.highest = end(figureText(limit, unit), above);
     if (!map.allowed.empty())

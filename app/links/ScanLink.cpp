@@ -8,6 +8,7 @@
 #include "ScanEdits.h"
 #include "ScanMeasure.h"
 #include "Selection.h"
+#include "Units.h"
 
 #include <cmath>
 #include <set>
@@ -83,7 +84,7 @@ ScanLink::Result ScanLink::measure(const Request& request, Bench& bench)
     map->title = tr("Deviation from %1").arg(QString::fromStdString(request.scan.name));
     map->below = tr("inside");
     map->above = tr("outside");
-    map->unit = QStringLiteral(" mm");
+    map->unit = millimetreSuffix;
     result.map = std::move(map);
     return result;
 }

@@ -55,6 +55,9 @@ public:
     /// Another design was opened: its surface has nothing to do with the last one.
     void forget(DesignFiles files);
 
+    /// The cover glides from one surface to the next; so it does at first.
+    void setGliding(bool glides) { m_glide.setAnimated(glides); }
+
 signals:
     void surfaceChanged(const bolster::SurfaceMeshPtr& surface);
     /// What is to be seen: the surface, or a step on the short way from the last one to it.

@@ -109,7 +109,7 @@ StatusLine::StatusLine(QWidget* parent)
 {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
-    m_coordinates->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("x 0000.0   y 0000.0 mm")));
+    m_coordinates->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("x 0000.00   y 0000.00 mm")));
     m_coordinates->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_note->hide();
     m_problems->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
-#include <QSettings>
 #include <QStyleOption>
 
 #include <utility>
@@ -14,8 +13,6 @@
 namespace bolster {
 
 namespace {
-
-const char* const key = "window/theme";
 
 struct Shades {
     QRgb window, base, alternate, button, text, muted, highlight, highlighted, link, line;
@@ -25,6 +22,9 @@ constexpr Shades light{0xfff2f3f5, 0xffffffff, 0xfff7f8fa, 0xfff7f8f9, 0xff1d212
                        0xff8b929c, 0xff2a6fb5, 0xffffffff, 0xff1f63a8, 0xffd3d7dd};
 constexpr Shades dark{0xff26292e, 0xff1d2024, 0xff23262b, 0xff31353b, 0xffe4e7eb,
                       0xff7d848e, 0xff4a90d9, 0xffffffff, 0xff7ab5f0, 0xff3c4148};
+
+constexpr Shades contrast{0xff000000, 0xff000000, 0xff101010, 0xff1a1a1a, 0xffffffff,
+                          0xffb8b8b8, 0xffffd60a, 0xff000000, 0xff7fd4ff, 0xffffffff};
 
 QPalette paletteOf(const Shades& shades)
 {
@@ -92,7 +92,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
         {"$tintHover", mixedName(shades.window, shades.highlight, 34)},
         {"$tint", mixedName(shades.window, shades.highlight, 22)},
         {"$hover", mixedName(shades.window, shades.text, 8)},
-        {"$line", mixedName(shades.window, shades.text, 14)},
+        {"$line", mixedName(shades.window, shades.text, &shades == &contrast ? 70 : 14)},
     };
     for (const auto& [name, color] : colors)
         style.replace(QLatin1String(name), color);
@@ -158,20 +158,11 @@ void applyTheme(QApplication& application, Theme theme)
         QApplication::setStyle(new ThemeStyle);
     const bool darkSystem = system.color(QPalette::Window).lightness() < 128;
     const bool isDark = theme == Theme::Dark || (theme == Theme::System && darkSystem);
-    const Shades& shades = isDark ? dark : light;
-    QApplication::setPalette(paletteOf(shades));
-    application.setStyleSheet(styleOf(shades));
-}
-
-Theme storedTheme()
-{
-    const int value = QSettings().value(QLatin1String(key), 0).toInt();
-    return value >= 0 && value <= 2 ? static_cast<Theme>(value) : Theme::System;
-}
-
-void storeTheme(Theme theme)
-{
-    QSettings().setValue(QLatin1String(key), static_cast<int>(theme));
+    const Shades& shades = theme == Theme::HighContrast ? contrast : isDark ? dark : light;
+    if (const QPalette colors = paletteOf(shades); colors != QApplication::palette())
+        QApplication::setPalette(colors);
+    if (const QString style = styleOf(shades); style != application.styleSheet())
+        application.setStyleSheet(style);
 }
 
 } // namespace bolster

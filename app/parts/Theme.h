@@ -1,4 +1,4 @@
-// Light and dark.
+// Light, dark, and with high contrast.
 #pragma once
 
 #include <QPalette>
@@ -7,14 +7,12 @@ class QApplication;
 
 namespace bolster {
 
-enum class Theme { System, Light, Dark };
+/// Settings keep their numbers.
+enum class Theme { System, Light, Dark, HighContrast };
 
 /// For what is printed, whatever the window looks like.
 QPalette lightPalette();
 /// Colours and style of the whole program; may be called again at any time.
 void applyTheme(QApplication& application, Theme theme);
-/// What was chosen last.
-Theme storedTheme();
-void storeTheme(Theme theme);
 
 } // namespace bolster

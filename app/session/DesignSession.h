@@ -46,6 +46,8 @@ public:
     const Problems& problemsOnOpening() const { return m_opened; }
 
     void startNew();
+    /// What new designs begin with: without a fabric a plain one, without an allowance none of their own.
+    void setStart(std::optional<Fabric> fabric, std::optional<CutAllowance> allowance);
     enum class Opening {
         ToWork,
         ToLook, ///< without its path: Save asks where
@@ -153,6 +155,8 @@ private:
 
     Document m_document;
     WorkJournal m_journal;
+    std::optional<Fabric> m_startFabric;
+    std::optional<CutAllowance> m_startAllowance;
     DesignFolder m_folder;
     QString m_path;
     QString m_title; ///< of a design without a path

@@ -31,11 +31,20 @@ struct DesignSession::Moment {
     bool operator==(const Moment&) const = default;
 };
 
+void DesignSession::setStart(std::optional<Fabric> fabric, std::optional<CutAllowance> allowance)
+{
+    m_startFabric = std::move(fabric);
+    m_startAllowance = allowance;
+}
+
 void DesignSession::startNew()
 {
-    Design design;
-    const Edit fabric = edits::addElement(design, makeElement(Fabric{tr("Fabric").toStdString()}));
-    take({{design.with(fabric), {}, {}, true}, {}, {}, {}}, {}, {}, {});
+    const Design empty;
+    Settings settings = empty.settings();
+    settings.cutting.allowance = m_startAllowance;
+    const Design set = empty.with(edits::replaceElement(empty, settingsId, makeElement(settings), {}));
+    const Fabric fabric = m_startFabric.value_or(Fabric{tr("Fabric").toStdString()});
+    take({{set.with(edits::addElement(set, makeElement(fabric))), {}, {}, true}, {}, {}, {}}, {}, {}, {});
 }
 
 DesignSession::Moment DesignSession::now() const

@@ -21,6 +21,7 @@
 #include "MapLink.h"
 #include "PatternView.h"
 #include "PlainLabels.h"
+#include "PreferenceStore.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
 #include "SavedViews.h"
@@ -74,6 +75,7 @@ QStringList filesOf(const QMimeData& data)
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
+    , m_preferences(std::make_unique<PreferenceStore>())
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))

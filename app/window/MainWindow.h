@@ -35,6 +35,7 @@ class LayerCommands;
 class MapCommands;
 class MapLink;
 class PatternView;
+class PreferenceStore;
 class ProblemsView;
 class CoverLink;
 class CuttingPanel;
@@ -72,6 +73,7 @@ public:
     PatternView& patternView() { return *m_pattern; }
     CoverView& coverView() { return *m_surface; }
     Commands& commands() { return *m_commands; }
+    PreferenceStore& preferences() { return *m_preferences; }
     /// By its id.
     QAction* command(const char* id);
     SeamsView& seams() { return *m_seams; }
@@ -125,6 +127,7 @@ private:
     void arrange();
     void storeLayout();
 
+    std::unique_ptr<PreferenceStore> m_preferences;
     std::unique_ptr<DesignSession> m_session;
     Selection m_selection;
     Selection m_surfaceSelection; ///< the same, but for what is hovered when the views are not linked

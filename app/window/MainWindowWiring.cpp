@@ -25,12 +25,14 @@
 #include "Inspector.h"
 #include "InverseCommands.h"
 #include "Jobs.h"
+#include "KeyPresets.h"
 #include "LayerCommands.h"
 #include "MainMenu.h"
 #include "MainWindow.h"
 #include "MapCommands.h"
 #include "PatternCommands.h"
 #include "PatternView.h"
+#include "PreferenceCommands.h"
 #include "ProblemsView.h"
 #include "SavedViewCommands.h"
 #include "ScanCommands.h"
@@ -106,6 +108,9 @@ void MainWindow::addCommands()
     addArea<WindowCommands>(commands, *m_docks, *m_inspector);
     m_tour = &addArea<Tour>(
         commands, Tour::Parts{*m_session, m_selection, *m_maps, *m_files, *m_pattern, *m_surface, *m_docks, *this});
+    auto& preferences = addArea<PreferenceCommands>(
+        commands, *m_preferences,
+        PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface, *m_fabricCommands, *this});
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
     addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files,
                         *m_startPage);
@@ -113,7 +118,8 @@ void MainWindow::addCommands()
     SewingCommands::fillTable(m_seams->table(), commands);
     commands.buildMenus();
     commands.update();
-    help.loadKeys();
+    help.loadKeys(keyPreset(m_preferences->now().keys));
+    preferences.keysAreLoaded(help);
     connect(&m_selection, &Selection::changed, &help, [&commands] { commands.update(); });
     connect(&document(), &Document::historyChanged, &help, [&commands] { commands.update(); });
     connect(m_session.get(), &DesignSession::titleChanged, &help, [&commands] { commands.update(); }); // saved
@@ -122,8 +128,8 @@ void MainWindow::addCommands()
 void MainWindow::addViewCommands()
 {
     Commands& commands = *m_commands;
-    m_viewCommands =
-        &addArea<ViewCommands>(commands, document(), m_selection, *m_pattern, *m_surface, *m_elements, *m_status);
+    m_viewCommands = &addArea<ViewCommands>(commands, document(), m_selection, *m_pattern, *m_surface, *m_elements,
+                                            *m_status, *m_preferences);
     addArea<SavedViewCommands>(commands, *m_surface, *m_status, *this);
     addArea<LayerCommands>(commands, *m_pattern, *m_surface, *m_solver);
     m_mapCommands = &addArea<MapCommands>(commands, *m_maps, *m_scans, *m_pattern, *m_surface, *m_inspector,
@@ -244,16 +250,15 @@ void MainWindow::connectViews()
     connect(m_surface, &CoverView::failed, m_status, &StatusLine::flash);
     connect(m_surface, &CoverView::rendererNote, m_status, &StatusLine::setRendererNote);
     connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
-        m_status->setCoordinates(
-            at ? tr("x %1   y %2 mm").arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true))
-               : QString());
+        m_status->setCoordinates(at ? tr("x %1   y %2").arg(steadyLengthFigure(at->x()), steadyLengthText(at->y()))
+                                    : QString());
         m_status->setPrompt(m_pattern->prompt());
     });
     connect(m_surface, &CoverView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
-        m_status->setCoordinates(at ? tr("x %1   y %2   z %3 mm")
-                                          .arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true),
-                                               decimalText(at->z(), 1, true))
-                                    : QString());
+        m_status->setCoordinates(
+            at ? tr("x %1   y %2   z %3")
+                     .arg(steadyLengthFigure(at->x()), steadyLengthFigure(at->y()), steadyLengthText(at->z()))
+               : QString());
         m_status->setPrompt(m_surface->prompt());
     });
     connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->visibility().setHidden({}); });

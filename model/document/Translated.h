@@ -10,6 +10,14 @@ namespace bolster {
 /// The translation that is installed in the application, or English; numbers in the arguments stay as they are.
 QString translated(const Message& message);
 
+/// How sentences tell numbers: windows may show lengths in another unit, and decimals with another sign than the
+/// language's. Null: as they are.
+struct NumbersTold {
+    QString (*length)(double millimetres) = nullptr; ///< with its unit
+    QString (*decimalSign)() = nullptr;
+};
+void tellNumbersAs(const NumbersTold& told);
+
 /// "patch 2 "Seat", outline.points: the outline crosses itself ...", as Problem::english.
 QString translated(const Problem& problem);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -18,21 +19,26 @@ struct Quantity {
 };
 using Parsed = std::optional<Quantity>;
 
+constexpr double feet = 304.8; // mm
+
 struct Unit {
-    QLatin1String name;
+    QString name;
     double millimetres;
 };
 // Longer names before their beginnings.
-constexpr Unit units[] = {
-    {QLatin1String("mm"), 1},    {QLatin1String("cm"), 10},   {QLatin1String("inch"), 25.4},
-    {QLatin1String("in"), 25.4}, {QLatin1String("\""), 25.4}, {QLatin1String("ft"), 304.8},
-    {QLatin1String("m"), 1000},
+const Unit units[] = {
+    {QStringLiteral("mm"), 1},        {QStringLiteral("cm"), 10},       {QStringLiteral("inches"), 25.4},
+    {QStringLiteral("inch"), 25.4},   {QStringLiteral("in"), 25.4},     {QStringLiteral("\""), 25.4},
+    {QStringLiteral("\u2033"), 25.4}, {QStringLiteral("\u201d"), 25.4}, {QStringLiteral("''"), 25.4},
+    {QStringLiteral("feet"), feet},   {QStringLiteral("foot"), feet},   {QStringLiteral("ft"), feet},
+    {QStringLiteral("'"), feet},      {QStringLiteral("\u2032"), feet}, {QStringLiteral("\u2019"), feet},
+    {QStringLiteral("m"), 1000},
 };
 
 class Parser {
 public:
     Parser(const QString& text, const QLocale& locale, bool withUnits)
-        : m_text(text)
+        : m_text(withPlainFractions(text))
         , m_point(locale.decimalPoint().at(0))
         , m_group(locale.groupSeparator().at(0))
         , m_withUnits(withUnits)
@@ -42,12 +48,33 @@ public:
     {
         const Parsed result = sum();
         skipBlanks();
-        if (!result || m_at != m_text.size() || !std::isfinite(result->value))
+        if (!result || m_at != m_text.size())
             return std::nullopt;
-        return result->value;
+        const double value = m_withUnits ? asLength(*result).value : result->value;
+        return std::isfinite(value) ? std::optional(value) : std::nullopt;
     }
 
 private:
+    /// "12\u00bd" is "12 1/2".
+    static QString withPlainFractions(QString text)
+    {
+        static const std::pair<QChar, QString> fractions[] = {
+            {u'\u00bc', QStringLiteral(" 1/4")}, {u'\u00bd', QStringLiteral(" 1/2")},
+            {u'\u00be', QStringLiteral(" 3/4")}, {u'\u215b', QStringLiteral(" 1/8")},
+            {u'\u215c', QStringLiteral(" 3/8")}, {u'\u215d', QStringLiteral(" 5/8")},
+            {u'\u215e', QStringLiteral(" 7/8")},
+        };
+        for (const auto& [sign, plain] : fractions)
+            text.replace(sign, plain);
+        return text;
+    }
+
+    /// Plain numbers are in the unit that lengths are shown in.
+    static Quantity asLength(const Quantity& quantity)
+    {
+        return quantity.power == 1 ? quantity : Quantity{quantity.value * millimetresPerUnit(), 1};
+    }
+
     Parsed sum()
     {
         Parsed left = product();
@@ -58,15 +85,16 @@ private:
             const Parsed right = product();
             if (!right)
                 return right;
-            left = Quantity{left->value + (minus ? -right->value : right->value),
-                            std::max(left->power, right->power)}; // plain numbers beside lengths are mm
+            const bool lengths = left->power != right->power;
+            const Quantity a = lengths ? asLength(*left) : *left, b = lengths ? asLength(*right) : *right;
+            left = Quantity{a.value + (minus ? -b.value : b.value), a.power};
         }
         return left;
     }
 
     Parsed product()
     {
-        Parsed left = withUnit(factor());
+        Parsed left = withSmallerUnits(withUnit(factor()));
         while (left) {
             const bool divided = !take(u'*') && !take(u'\u00d7');
             if (divided && !take(u'/'))
@@ -98,24 +126,71 @@ private:
 
     Parsed withUnit(Parsed quantity)
     {
-        skipBlanks();
         if (!quantity || !m_withUnits)
             return quantity;
-        for (const Unit& unit : units) {
-            if (!QStringView(m_text).mid(m_at).startsWith(unit.name, Qt::CaseInsensitive))
-                continue;
-            m_at += unit.name.size();
-            if (quantity->power != 0)
+        const Unit* unit = takeUnit();
+        if (!unit)
+            return quantity;
+        if (quantity->power != 0)
+            return std::nullopt;
+        return Quantity{quantity->value * unit->millimetres, 1};
+    }
+
+    const Unit* takeUnit()
+    {
+        skipBlanks();
+        m_unit = nullptr;
+        for (const Unit& unit : units)
+            if (QStringView(m_text).mid(m_at).startsWith(unit.name, Qt::CaseInsensitive)) {
+                m_at += unit.name.size();
+                return m_unit = &unit;
+            }
+        return nullptr;
+    }
+
+    /// "1' 2 3/8\"": what follows a length with a unit, in a smaller one, belongs to it.
+    Parsed withSmallerUnits(Parsed length)
+    {
+        while (length && length->power == 1 && m_unit && digitFollows()) {
+            const double larger = m_unit->millimetres;
+            const bool afterFeet = larger == feet;
+            const Parsed more = fractionOrNumber();
+            if (!more)
                 return std::nullopt;
-            return Quantity{quantity->value * unit.millimetres, 1};
+            const Unit* unit = takeUnit();
+            if (unit ? unit->millimetres >= larger : !afterFeet)
+                return std::nullopt;
+            const double by = more->value * (unit ? unit->millimetres : feet / 12);
+            length->value += std::signbit(length->value) ? -by : by;
         }
-        return quantity;
+        return length;
+    }
+
+    /// "1/2", where a quotient of the whole would make no sense.
+    Parsed fractionOrNumber()
+    {
+        static const QRegularExpression pattern(QStringLiteral("(\\d{1,4})\\s*/\\s*([1-9]\\d{0,3})(?![\\d.,])"));
+        const auto found = pattern.match(m_text, m_at, QRegularExpression::NormalMatch,
+                                         QRegularExpression::AnchorAtOffsetMatchOption);
+        if (!found.hasMatch())
+            return number();
+        m_at += found.capturedLength();
+        return Quantity{found.captured(1).toDouble() / found.captured(2).toDouble()};
+    }
+
+    bool digitFollows()
+    {
+        skipBlanks();
+        return m_at < m_text.size() && m_text[m_at].isDigit();
     }
 
     Parsed number()
     {
         skipBlanks();
+        m_unit = nullptr; // whatever there was belongs to what lies before
         const qsizetype start = m_at;
+        if (const Parsed mixed = wholeAndFraction())
+            return mixed;
         while (m_at < m_text.size() &&
                (m_text[m_at].isDigit() || m_text[m_at] == u'.' || m_text[m_at] == u',' || m_text[m_at] == m_point))
             ++m_at;
@@ -123,6 +198,19 @@ private:
         bool good = false;
         const double value = QString(digits + exponent()).toDouble(&good);
         return good ? Parsed(Quantity{value}) : std::nullopt;
+    }
+
+    /// "12 3/8", as on a tape measure.
+    Parsed wholeAndFraction()
+    {
+        static const QRegularExpression pattern(
+            QStringLiteral("(\\d{1,7})\\s+(\\d{1,4})\\s*/\\s*([1-9]\\d{0,3})(?![\\d.,])"));
+        const auto found = pattern.match(m_text, m_at, QRegularExpression::NormalMatch,
+                                         QRegularExpression::AnchorAtOffsetMatchOption);
+        if (!found.hasMatch())
+            return std::nullopt;
+        m_at += found.capturedLength();
+        return Quantity{found.captured(1).toDouble() + found.captured(2).toDouble() / found.captured(3).toDouble()};
     }
 
     /// "e3", "E-2" right behind the digits, or nothing.
@@ -176,6 +264,7 @@ private:
     QChar m_point;
     QChar m_group;
     bool m_withUnits;
+    const Unit* m_unit = nullptr; ///< that was taken last, right before where we are
     qsizetype m_at = 0;
     int m_brackets = 0;
 };

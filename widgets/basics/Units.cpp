@@ -1,13 +1,110 @@
 #include "Units.h"
 
+#include "Translated.h"
+
 #include <QCoreApplication>
-#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace bolster {
 
+namespace {
+
+constexpr double millimetresPerInch = 25.4;
+
+/// Small lengths would be told wrong by their nearest fraction; then decimals say them.
+bool fractionSays(double inches, int fraction)
+{
+    constexpr double mostOff = 0.1; // of the length
+    const double shown = std::round(inches * fraction) / fraction;
+    return std::abs(shown - inches) <= mostOff * std::abs(inches) + 1e-9;
+}
+
+} // namespace
+
+NumberStyles& NumberStyles::instance()
+{
+    static NumberStyles styles;
+    return styles;
+}
+
+void NumberStyles::set(const NumberStyle& style)
+{
+    if (style == m_now)
+        return;
+    m_now = style;
+    NumbersTold told{nullptr, [] { return numberLocale().decimalPoint(); }};
+    if (style.length != LengthUnit::Millimetres)
+        told.length = [](double millimetres) { return lengthText(millimetres, 2); };
+    tellNumbersAs(told);
+    emit changed();
+}
+
+QLocale numberLocale()
+{
+    const QLocale own;
+    const DecimalSign wanted = NumberStyles::now().decimal;
+    const QString sign = wanted == DecimalSign::Comma ? QStringLiteral(",") : QStringLiteral(".");
+    if (wanted == DecimalSign::OfLanguage || own.decimalPoint() == sign)
+        return own;
+    return wanted == DecimalSign::Comma ? QLocale(QLocale::German, QLocale::Germany)
+                                        : QLocale(QLocale::English, QLocale::UnitedStates);
+}
+
+double millimetresPerUnit()
+{
+    switch (NumberStyles::now().length) {
+    case LengthUnit::Centimetres:
+        return 10;
+    case LengthUnit::Inches:
+        return millimetresPerInch;
+    default:
+        return 1;
+    }
+}
+
+QString lengthUnitName()
+{
+    switch (NumberStyles::now().length) {
+    case LengthUnit::Centimetres:
+        return QCoreApplication::translate("Units", "cm");
+    case LengthUnit::Inches:
+        return QCoreApplication::translate("Units", "in");
+    default:
+        return QCoreApplication::translate("Units", "mm");
+    }
+}
+
+QString lengthSuffix()
+{
+    switch (NumberStyles::now().length) {
+    case LengthUnit::Centimetres:
+        return QStringLiteral(" cm");
+    case LengthUnit::Inches:
+        return QStringLiteral("\u2033");
+    default:
+        return millimetreSuffix;
+    }
+}
+
+int moreDecimals()
+{
+    switch (NumberStyles::now().length) {
+    case LengthUnit::Centimetres:
+        return 1;
+    case LengthUnit::Inches:
+        return 2;
+    default:
+        return 0;
+    }
+}
+
 QString decimalText(double value, int decimals, bool trailingZeros)
 {
-    QLocale locale;
+    QLocale locale = numberLocale();
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     QString text = locale.toString(value, 'f', decimals);
     const QString point = locale.decimalPoint();
@@ -20,15 +117,68 @@ QString decimalText(double value, int decimals, bool trailingZeros)
     return text == QLatin1String("-0") ? QStringLiteral("0") : text;
 }
 
+QString inchFractionText(double inches, int fraction)
+{
+    const auto parts = std::llround(std::abs(inches) * fraction);
+    const long long whole = parts / fraction, rest = parts % fraction;
+    const long long common = std::gcd(rest, static_cast<long long>(fraction));
+    QString text = inches < 0 && parts > 0 ? QStringLiteral("-") : QString();
+    if (whole > 0 || rest == 0)
+        text += QString::number(whole);
+    if (rest > 0)
+        text += QStringLiteral("%1%2/%3")
+                    .arg(whole > 0 ? QStringLiteral(" ") : QString())
+                    .arg(rest / common)
+                    .arg(fraction / common);
+    return text;
+}
+
+QString lengthFigure(double millimetres, int decimals)
+{
+    const NumberStyle& style = NumberStyles::now();
+    const double shown = millimetres / millimetresPerUnit();
+    constexpr double mostInParts = 1e7; // inches
+    if (style.length == LengthUnit::Inches && style.fraction > 0 && std::abs(shown) < mostInParts &&
+        fractionSays(shown, style.fraction))
+        return inchFractionText(shown, style.fraction);
+    return decimalText(shown, decimals + moreDecimals(), false);
+}
+
+QString steadyLengthFigure(double millimetres, int decimals)
+{
+    return decimalText(millimetres / millimetresPerUnit(), decimals + moreDecimals(), true);
+}
+
+QString steadyLengthText(double millimetres, int decimals)
+{
+    return steadyLengthFigure(millimetres, decimals) + lengthSuffix();
+}
+
+double nudgeLength(bool far)
+{
+    if (NumberStyles::now().length != LengthUnit::Inches)
+        return far ? 10 : 1;
+    return millimetresPerInch / (far ? 2 : 16);
+}
+
 QString lengthText(double millimetres, int decimals)
 {
+    if (NumberStyles::now().length != LengthUnit::Millimetres)
+        return lengthFigure(millimetres, decimals) + lengthSuffix();
     return QCoreApplication::translate("Units", "%1 mm").arg(decimalText(millimetres, decimals, false));
 }
 
 QString sizeText(double width, double height)
 {
-    return QCoreApplication::translate("Units", "%1 \u00d7 %2 mm")
-        .arg(decimalText(width, 0, false), decimalText(height, 0, false));
+    return sizesText({width, height});
+}
+
+QString sizesText(std::initializer_list<double> sides, int decimals)
+{
+    QStringList figures;
+    for (const double side : sides)
+        figures << lengthFigure(side, decimals);
+    return figures.join(QStringLiteral(" \u00d7 ")) + lengthSuffix();
 }
 
 QString angleText(double degrees)

@@ -1,5 +1,7 @@
 #include "ViewColors.h"
 
+#include <cmath>
+
 namespace bolster {
 
 QColor mixed(const QColor& a, const QColor& b, double share)
@@ -17,6 +19,9 @@ ViewColors ViewColors::of(const QPalette& palette)
     c.dark = base.lightness() < 128;
     c.canvas =
         c.dark ? mixed(base, palette.color(QPalette::Active, QPalette::Window), 0.35) : mixed(base, text, 0.02);
+    // Of the theme with high contrast, in which nothing is set apart by shades.
+    const bool strong = base == palette.color(QPalette::Active, QPalette::Window) &&
+                        std::abs(base.lightness() - text.lightness()) > 250;
     c.gridMinor = mixed(c.canvas, text, c.dark ? 0.045 : 0.05);
     c.gridMajor = mixed(c.canvas, text, c.dark ? 0.10 : 0.11);
     c.outline = mixed(c.canvas, text, 0.82);
@@ -33,6 +38,13 @@ ViewColors ViewColors::of(const QPalette& palette)
     c.pointFill = c.dark ? mixed(c.canvas, QColor(Qt::black), 0.3) : QColor(Qt::white);
     c.error = c.dark ? QColor(0xff, 0x6b, 0x5e) : QColor(0xc6, 0x28, 0x1c);
     c.warning = c.dark ? QColor(0xf0, 0xa8, 0x30) : QColor(0xc9, 0x7a, 0x00);
+    if (strong) {
+        c.canvas = base;
+        c.gridMinor = mixed(c.canvas, text, 0.12);
+        c.gridMajor = mixed(c.canvas, text, 0.3);
+        c.outline = c.label = c.fixation = text;
+        c.mutedLabel = mixed(c.canvas, text, 0.8);
+    }
     return c;
 }
 

@@ -32,6 +32,12 @@ public:
     virtual SurfaceMeshPtr shown() const = 0;
     /// To be called when that is another one than before.
     void whenShownChanges(std::function<void()> tell) { m_tell = std::move(tell); }
+    /// Pictures stay as quick as while something moves: for slow machines and screens far away.
+    void setReduced(bool reduced)
+    {
+        if (std::exchange(m_reduced, reduced) != reduced)
+            refresh(false);
+    }
     /// The finest picture, now.
     virtual QImage grab() = 0;
 
@@ -45,10 +51,13 @@ protected:
             m_tell();
     }
 
+    bool reduced() const { return m_reduced; }
+
     const ViewScene& m_scene;
     const Camera& m_camera;
 
 private:
+    bool m_reduced = false;
     std::function<void()> m_tell;
 };
 

@@ -63,7 +63,8 @@ void SoftwareCanvas::refresh(bool moving)
     update(); // lines may have changed
     if (fine() || m_asked == request(false))
         return;
-    m_rest.start(moving ? restAfter : 0ms);
+    if (!reduced())
+        m_rest.start(moving ? restAfter : 0ms);
     send(true);
 }
 

@@ -4,6 +4,7 @@
 #include "Document.h"
 #include "Gesture.h"
 #include "NumberBox.h"
+#include "Units.h"
 
 #include <cmath>
 #include <functional>
@@ -12,7 +13,7 @@
 namespace bolster {
 
 /// Of sizes, mm.
-inline const NumberBox::Range sizeRange{QStringLiteral(" mm"), 3, 0.001, 1e6, 1};
+inline const NumberBox::Range sizeRange{millimetreSuffix, 3, 0.001, 1e6, 1};
 
 /// What all of them are, or nothing where they differ by more than rounding.
 template <class Read>

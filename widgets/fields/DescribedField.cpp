@@ -1,6 +1,7 @@
 #include "DescribedField.h"
 
 #include "ElementText.h"
+#include "Units.h"
 
 #include <QCoreApplication>
 
@@ -12,7 +13,7 @@ QString unitSuffix(Unit unit)
 {
     switch (unit) {
     case Unit::Millimetres:
-        return QStringLiteral(" mm");
+        return millimetreSuffix;
     case Unit::Degrees:
         return QStringLiteral("\u00b0");
     case Unit::Percent:

@@ -49,9 +49,9 @@ QString jsonCurveText(const QJsonObject& object)
     const typename BSpline<Dim>::Point size = curve.boundingBox().sizes();
     QStringList sizes;
     for (int axis = 0; axis < Dim; ++axis)
-        sizes << decimalText(size[axis], 1, false);
-    return FieldWords::tr("%n points, %1 mm", nullptr, curve.pointCount())
-        .arg(sizes.join(QStringLiteral(" \u00d7 ")));
+        sizes << lengthFigure(size[axis], 1);
+    return FieldWords::tr("%n points, %1", nullptr, curve.pointCount())
+        .arg(sizes.join(QStringLiteral(" \u00d7 ")) + lengthSuffix());
 }
 
 QString turnText(const QJsonArray& quaternion)
@@ -64,16 +64,16 @@ QString numberText(double number, Unit unit)
 {
     if (unit == Unit::Millimetres)
         return lengthText(number, 2);
-    return unit == Unit::Degrees ? angleText(number) : QLocale().toString(number, 'g', 4) + unitSuffix(unit);
+    return unit == Unit::Degrees ? angleText(number) : numberLocale().toString(number, 'g', 4) + unitSuffix(unit);
 }
 
 QString joinedNumbers(const QJsonArray& numbers, Unit unit)
 {
     QStringList parts;
     for (const QJsonValue& number : numbers)
-        parts << (unit == Unit::Millimetres ? decimalText(number.toDouble(), 2, false)
-                                            : QLocale().toString(number.toDouble(), 'g', 4));
-    return parts.join(QStringLiteral(", ")) + unitSuffix(unit);
+        parts << (unit == Unit::Millimetres ? lengthFigure(number.toDouble(), 2)
+                                            : numberLocale().toString(number.toDouble(), 'g', 4));
+    return parts.join(QStringLiteral(", ")) + (unit == Unit::Millimetres ? lengthSuffix() : unitSuffix(unit));
 }
 
 /// What no description says more of.

@@ -42,8 +42,7 @@ QString placedSize(const Frame& frame, const FramePieces& pieces, const std::vec
         for (int corner = 0; corner < 8; ++corner)
             placed.extend(frame.placed(pieceOf(pieces, piece).box.corner(static_cast<Box3::CornerType>(corner))));
     const Vec3 sizes = placed.sizes();
-    return FrameParts::tr("%1 \u00d7 %2 \u00d7 %3 mm")
-        .arg(decimalText(sizes.x(), 0, false), decimalText(sizes.y(), 0, false), decimalText(sizes.z(), 0, false));
+    return sizesText({sizes.x(), sizes.y(), sizes.z()});
 }
 
 std::vector<PartLine> linesOf(const FramePieces& pieces)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace bolster {
@@ -54,12 +55,13 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     , m_least(range.least)
     , m_most(range.most)
     , m_unit(range.unit)
-    , m_lengths(range.unit == QLatin1String(" mm") || range.length)
+    , m_decimals(range.decimals)
+    , m_step(range.step)
+    , m_lengths(range.unit == millimetreSuffix || range.length)
 {
-    setDecimals(range.decimals);
     setRange(range.least, range.most);
-    setSingleStep(range.step);
-    setSuffix(range.unit);
+    followStyle();
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &NumberBox::followStyle);
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumWidth(72);
@@ -79,6 +81,50 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
         lineEdit()->setModified(false);
         finishVarying();
     });
+}
+
+/// Values stay in mm; how they are shown, and how far an arrow goes, is as the user likes it.
+void NumberBox::followStyle()
+{
+    const QSignalBlocker quiet(this);
+    setLocale(numberLocale());
+    // Where a part of an inch lies must not be rounded away.
+    constexpr int forInches = 4;
+    const bool inches = m_lengths && NumberStyles::now().length == LengthUnit::Inches;
+    setSingleStep(inches ? stepInInches() : m_step);
+    setSuffix(m_varies ? QString() : shownUnit());
+    setDecimals(inches ? std::max(m_decimals, forInches) : m_decimals); // shows the number anew
+}
+
+/// A part of an inch that is about as long as the step, but is seen: mm.
+double NumberBox::stepInInches() const
+{
+    constexpr double inch = 25.4;
+    const int fraction = NumberStyles::now().fraction;
+    const double step = std::exp2(std::round(std::log2(m_step / inch)));
+    return inch * std::max(step, fraction > 0 ? 1.0 / fraction : 0.0);
+}
+
+/// From part to part, also when it stands between two.
+void NumberBox::stepBy(int steps)
+{
+    if (m_lengths && NumberStyles::now().length == LengthUnit::Inches && NumberStyles::now().fraction > 0 &&
+        !m_varies) {
+        interpretText();
+        const double at = value() / singleStep();
+        const double from = std::abs(at - std::round(at)) < 1e-3 ? std::round(at)
+                            : steps > 0                          ? std::floor(at)
+                                                                 : std::ceil(at);
+        setValue(singleStep() * (from + steps));
+        selectAll();
+    } else {
+        QDoubleSpinBox::stepBy(steps);
+    }
+}
+
+QString NumberBox::shownUnit() const
+{
+    return m_unit == millimetreSuffix ? lengthSuffix() : m_unit;
 }
 
 /// The number that was typed may be the one that lay below "varies": nobody has heard of it then.
@@ -136,7 +182,7 @@ void NumberBox::display(std::optional<double> value)
     const QSignalBlocker quiet(this);
     m_varies = !value;
     m_typedOver = false;
-    if (const QString unit = m_varies ? QString() : m_unit; unit != suffix())
+    if (const QString unit = m_varies ? QString() : shownUnit(); unit != suffix())
         setSuffix(unit);
     lineEdit()->setPlaceholderText(m_varies ? variesText() : QString());
     if (!value) {
@@ -155,11 +201,15 @@ QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const
 
 QString NumberBox::textFromValue(double value) const
 {
-    return m_varies ? QString() : decimalText(value, decimals(), false);
+    if (m_varies)
+        return {};
+    return m_lengths ? lengthFigure(value, m_decimals) : decimalText(value, m_decimals, false);
 }
 
 double NumberBox::valueFromText(const QString& text) const
 {
+    if (withoutUnit(text) == textFromValue(value()))
+        return value(); // what nobody has typed over is not rounded to what is shown
     return numberIn(text).value_or(value());
 }
 
@@ -200,15 +250,15 @@ QString NumberBox::refusal(const QString& text) const
         return (m_lengths ? tr("Not taken: \"%1\" is not a length") : tr("Not taken: \"%1\" is not a number"))
             .arg(written);
     const bool low = *number < minimum();
-    const QString limit = decimalText(low ? minimum() : maximum(), decimals(), false);
+    const double limit = low ? minimum() : maximum();
     return (low ? tr("Not taken: %1 is too little, at least %2") : tr("Not taken: %1 is too much, at most %2"))
-        .arg(written, limit + (m_lengths ? QStringLiteral(" mm") : m_unit));
+        .arg(written, m_lengths ? lengthText(limit, m_decimals) : decimalText(limit, m_decimals, false) + m_unit);
 }
 
 QString NumberBox::withoutUnit(const QString& text) const
 {
     QString written = text.trimmed();
-    if (const QString unit = m_unit.trimmed(); !unit.isEmpty() && written.endsWith(unit))
+    if (const QString unit = shownUnit().trimmed(); !unit.isEmpty() && written.endsWith(unit))
         written.chop(unit.size());
     return written.trimmed();
 }

@@ -20,6 +20,7 @@ QString variesText();
 bool takeTyped(QWidget& window);
 
 /// Shows no trailing zeros, takes sums, products and, where the unit is mm, other units ("3*25", "2.5 cm"), takes
+/// and shows lengths in the unit that the user likes (its value is in mm all the same), takes
 /// point and comma as the decimal sign (but "1,500" as the language groups digits), and reports a value once: when
 /// the user is done with it, not with every key. What is no number or out of range is refused as a whole.
 class NumberBox : public QDoubleSpinBox {
@@ -46,6 +47,7 @@ public:
     QValidator::State validate(QString& text, int& position) const override;
     /// What is typed is no such number: says so, and the value stays.
     void fixup(QString& text) const override;
+    void stepBy(int steps) override;
     /// Done with what is typed, as if the keyboard went elsewhere. Why it was refused, once; else empty.
     QString finishTyping();
 
@@ -61,6 +63,9 @@ protected:
     StepEnabled stepEnabled() const override;
 
 private:
+    void followStyle();
+    double stepInInches() const;
+    QString shownUnit() const;
     void finishVarying();
     /// Why what was typed is not taken.
     QString refusal(const QString& text) const;
@@ -73,6 +78,8 @@ private:
     double m_least;
     double m_most;
     QString m_unit;
+    int m_decimals; ///< behind the point, of mm
+    double m_step;
     bool m_lengths;                 ///< takes units of length
     bool m_varies = false;          ///< no one value
     bool m_typedOver = false;       ///< over "varies"

@@ -3,11 +3,12 @@
 
 #include "FrameAngles.h"
 #include "InspectorSubject.h"
+#include "Units.h"
 
 namespace bolster {
 
 // What the fields take; what is a good value, DesignCheck says.
-inline const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1};
+inline const NumberBox::Range lengthRange{millimetreSuffix, 3, -1e7, 1e7, 1};
 inline const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
 
 template <class T>

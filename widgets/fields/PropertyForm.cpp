@@ -2,6 +2,7 @@
 
 #include "Icons.h"
 #include "PictureStrip.h"
+#include "Units.h"
 #include "ViewColors.h"
 
 #include <QCheckBox>
@@ -331,7 +332,7 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     std::vector<NumberBox*> boxes;
     NumberBox::Range bare = range; // the unit fits only once
     bare.unit.clear();
-    bare.length = range.unit == QLatin1String(" mm");
+    bare.length = range.unit == millimetreSuffix;
     for (int i = 0; i < count; ++i) {
         auto* box = new NumberBox(bare, row);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -342,7 +343,7 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
         layout->addWidget(box, 1);
         boxes.push_back(box);
     }
-    const QString unit = range.unit.trimmed();
+    const QString unit = bare.length ? lengthUnitName() : range.unit.trimmed();
     // Always above: beside a long label the row would be wider than the panel.
     row->setFocusProxy(boxes.front());
     addLabelAbove(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit), row);

@@ -78,7 +78,7 @@ void GlCanvas::schedule()
 /// which the old cover would stand there as if it were the answer.
 GlPainter::Request GlCanvas::request() const
 {
-    const bool quickly = m_moving || m_picture.surface != m_scene.surface;
+    const bool quickly = m_moving || reduced() || m_picture.surface != m_scene.surface;
     return {m_scene, m_camera, pixelSize(), m_version, quickly, nullptr};
 }
 
@@ -106,7 +106,7 @@ void GlCanvas::received(GlPainter::Picture picture)
     update();
     if (other)
         tellShown();
-    if (m_picture.version != m_version || (!m_moving && !m_picture.finest))
+    if (m_picture.version != m_version || (!m_moving && !reduced() && !m_picture.finest))
         schedule();
 }
 

@@ -3,6 +3,7 @@
 #include "Document.h"
 #include "ProblemSet.h"
 #include "Selection.h"
+#include "Units.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -34,6 +35,7 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
         if (typing)
             m_form->focusFirst();
     });
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &Inspector::rebuild); // labels have units, too
     rebuild();
 }
 

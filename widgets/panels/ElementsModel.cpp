@@ -68,6 +68,7 @@ ElementsModel::ElementsModel(Document& document, ProblemSet& problems, QObject* 
 {
     connect(&document, &Document::changed, this, &ElementsModel::update);
     connect(&problems, &ProblemSet::changed, this, &ElementsModel::announceAll);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &ElementsModel::update);
     update();
 }
 

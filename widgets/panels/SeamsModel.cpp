@@ -21,6 +21,10 @@ SeamsModel::SeamsModel(Document& document, QObject* parent)
     , m_document(document)
 {
     connect(&document, &Document::changed, this, &SeamsModel::update);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, [this] {
+        if (rowCount() > 0)
+            emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    });
     update();
 }
 

@@ -24,6 +24,7 @@ MapLegend::MapLegend(QWidget* parent)
     : QWidget(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, qOverload<>(&QWidget::update));
     hide();
 }
 
@@ -84,7 +85,8 @@ QString MapLegend::number(double value) const
 {
     const int digits = m_map->limit >= 10 ? 0 : m_map->limit >= 1 ? 1 : 2;
     const bool sign = value > 0 && m_map->kind == MapScale::Kind::Diverging;
-    return (sign ? QStringLiteral("+") : QString()) + decimalText(value, digits, true);
+    return (sign ? QStringLiteral("+") : QString()) +
+           (m_map->unit == millimetreSuffix ? steadyLengthFigure(value, digits) : decimalText(value, digits, true));
 }
 
 void MapLegend::paintEvent(QPaintEvent*)
@@ -113,12 +115,13 @@ void MapLegend::paintEvent(QPaintEvent*)
     }
     QRect text(bar.left(), bar.bottom() + 3, bar.width(), line);
     const auto limit = static_cast<double>(m_map->limit);
-    painter.drawText(text, Qt::AlignRight, number(limit) + (both ? QString() : m_map->unit) + u' ' + m_map->above);
+    const QString unit = m_map->unit == millimetreSuffix ? lengthSuffix() : m_map->unit;
+    painter.drawText(text, Qt::AlignRight, number(limit) + (both ? QString() : unit) + u' ' + m_map->above);
     if (both) {
         painter.drawText(text, Qt::AlignLeft, number(-limit) + u' ' + m_map->below);
-        painter.drawText(text, Qt::AlignHCenter, QStringLiteral("0") + m_map->unit);
+        painter.drawText(text, Qt::AlignHCenter, QStringLiteral("0") + unit);
     } else {
-        painter.drawText(text, Qt::AlignLeft, QStringLiteral("0") + m_map->unit);
+        painter.drawText(text, Qt::AlignLeft, QStringLiteral("0") + unit);
     }
     if (hasLimits()) {
         text.translate(0, line);

@@ -42,13 +42,18 @@ HelpCommands::HelpCommands(Commands& commands, CommandPalette& palette, QMainWin
 
 HelpCommands::~HelpCommands() = default;
 
-void HelpCommands::loadKeys()
+void HelpCommands::loadKeys(const KeyPreset& preset)
 {
     QList<QAction*> all = m_commands.all(); // of what is not to be seen just now, too
     for (const MenuEntry& entry : commandsOf(*m_window.menuBar()))
         if (!all.contains(entry.action))
             all.append(entry.action);
-    m_shortcuts = std::make_unique<Shortcuts>(all);
+    m_shortcuts = std::make_unique<Shortcuts>(all, preset);
+}
+
+void HelpCommands::setKeyPreset(const KeyPreset& preset)
+{
+    m_shortcuts->setPreset(preset);
 }
 
 void HelpCommands::editKeys()

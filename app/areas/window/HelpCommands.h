@@ -13,6 +13,7 @@ namespace bolster {
 class CommandPalette;
 class Commands;
 class Shortcuts;
+struct KeyPreset;
 
 class HelpCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(HelpCommands)
@@ -22,7 +23,8 @@ public:
     ~HelpCommands() override;
 
     /// Puts the user's keys in the place of the program's; when all menus are there.
-    void loadKeys();
+    void loadKeys(const KeyPreset& preset);
+    void setKeyPreset(const KeyPreset& preset);
 
 private:
     void editKeys();

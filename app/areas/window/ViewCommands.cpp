@@ -1,16 +1,16 @@
 #include "ViewCommands.h"
 
+#include "ApplyPreferences.h"
 #include "Commands.h"
 #include "CoverView.h"
 #include "Document.h"
 #include "ElementsView.h"
 #include "Hiding.h"
 #include "PatternView.h"
+#include "PreferenceStore.h"
 #include "Selection.h"
 #include "StatusLine.h"
-#include "Theme.h"
 
-#include <QApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -20,13 +20,15 @@
 namespace bolster {
 
 ViewCommands::ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
-                           CoverView& surface, ElementsView& elements, StatusLine& status)
+                           CoverView& surface, ElementsView& elements, StatusLine& status,
+                           PreferenceStore& preferences)
     : m_document(document)
     , m_selection(selection)
     , m_pattern(pattern)
     , m_surface(surface)
     , m_elements(elements)
     , m_status(status)
+    , m_preferences(preferences)
 {
     addFitting(commands);
     addStandardViews(commands);
@@ -173,19 +175,25 @@ void ViewCommands::addThemes(Commands& commands)
         {Theme::System, "view.theme-system", "as-the-system", tr("As the &system")},
         {Theme::Light, "view.theme-light", "light", tr("&Light")},
         {Theme::Dark, "view.theme-dark", "dark", tr("&Dark")},
+        {Theme::HighContrast, "view.theme-contrast", "", tr("&High contrast")},
     };
-    const Theme now = storedTheme();
     for (const auto& row : themes)
         commands.add({.id = row.id,
                       .formerly = row.formerly,
                       .text = row.text,
                       .places = {"view.theme/1"},
-                      .on = row.theme == now,
+                      .on = row.theme == themeOf(m_preferences.now()),
                       .group = "theme",
-                      .does = [theme = row.theme] {
-                          storeTheme(theme);
-                          applyTheme(*qApp, theme);
-                      }});
+                      .checked = [this, theme = row.theme] { return themeOf(m_preferences.now()) == theme; },
+                      .does =
+                          [this, theme = row.theme] {
+                              Preferences wanted = m_preferences.now();
+                              wanted.theme = QString::number(static_cast<int>(theme));
+                              m_preferences.set(wanted);
+                          }});
+    connect(&m_preferences, &PreferenceStore::changed, this, [&commands] {
+        commands.update({"view.theme-system", "view.theme-light", "view.theme-dark", "view.theme-contrast"});
+    });
 }
 
 void ViewCommands::addOpacities(Commands& commands)

@@ -10,6 +10,7 @@ class Commands;
 class Document;
 class ElementsView;
 class PatternView;
+class PreferenceStore;
 class Selection;
 class StatusLine;
 class CoverView;
@@ -19,7 +20,7 @@ class ViewCommands : public QObject {
 
 public:
     ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
-                 CoverView& surface, ElementsView& elements, StatusLine& status);
+                 CoverView& surface, ElementsView& elements, StatusLine& status, PreferenceStore& preferences);
 
     /// What is selected fills both views.
     void fitSelection();
@@ -39,6 +40,7 @@ private:
     CoverView& m_surface;
     ElementsView& m_elements;
     StatusLine& m_status;
+    PreferenceStore& m_preferences;
 };
 
 } // namespace bolster

@@ -18,7 +18,8 @@ using namespace journalFiles;
 
 namespace {
 
-constexpr int daysInBin = 30;
+constexpr int leastDaysInBin = 30;
+int wantedDaysInBin = leastDaysInBin; // of the GUI thread
 constexpr std::chrono::seconds untilOthersHaveLooked(2);
 
 /// Who looks into journals has their locks, one after another, and would seem to be a program that works on them.
@@ -233,9 +234,20 @@ void WorkJournal::putIntoBin(const Left& left)
         moveToBin(baseOf(left));
 }
 
+/// What somebody relies on is never shortened below what it has always been.
+void WorkJournal::setDaysInBin(int days)
+{
+    wantedDaysInBin = std::max(days, leastDaysInBin);
+}
+
+int WorkJournal::daysInBin()
+{
+    return wantedDaysInBin;
+}
+
 void WorkJournal::emptyBin()
 {
-    const QDateTime before = QDateTime::currentDateTime().addDays(-daysInBin);
+    const QDateTime before = QDateTime::currentDateTime().addDays(-wantedDaysInBin);
     for (const QFileInfo& file : QDir(bin()).entryInfoList(QDir::Files))
         if (std::max(file.lastModified(), file.metadataChangeTime()) < before)
             QFile::remove(file.absoluteFilePath());

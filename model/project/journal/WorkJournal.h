@@ -67,7 +67,10 @@ public:
     static std::optional<Left> setAside(const Left& left);
     /// Those, newest first.
     static QList<Left> damaged();
-    /// Kept for 30 days more, then gone.
+    /// How long work that was put into the bin is kept there: days, at first and at least 30.
+    static void setDaysInBin(int days);
+    static int daysInBin();
+    /// Kept for so many days more, then gone.
     static void putIntoBin(const Left& left);
     static void emptyBin();
     /// The folders of files of all work that is there, be it in the bin.

@@ -148,7 +148,7 @@ void NotchForm::addDistance(PropertyForm& form, const Ids& ids) const
     if (!std::ranges::all_of(ids, [&](ElementId id) { return distance(id).has_value(); }))
         return; // round pieces have no corners
     form.addNumber(
-        tr("From the corner"), {QStringLiteral(" mm"), 2, 0, 1e6},
+        tr("From the corner"), {millimetreSuffix, 2, 0, 1e6},
         [distance, ids] {
             return sharedNumber(ids.size(), [&](std::size_t i) { return distance(ids[i]).value_or(0); });
         },

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Geometry.h"
+#include "Units.h"
 #include "ViewColors.h"
 
 #include <QLocale>
@@ -18,13 +19,13 @@ namespace bolster {
 /// that angle (degrees, counter-clockwise from the right), "120,40" to the right and up. Where the comma is the
 /// decimal sign, a blank behind it separates: "120, 40". Lengths as parseLength takes them. Nothing when the text
 /// is no such thing (yet).
-std::optional<Vec2> typedStep(const QString& text, const Vec2& towards, const QLocale& locale = QLocale());
+std::optional<Vec2> typedStep(const QString& text, const Vec2& towards, const QLocale& locale = numberLocale());
 /// Width and height as a step from the first corner, in the quadrant of `towards`: "300x200", "300;200",
 /// "300,200", or one length for both.
-std::optional<Vec2> typedSize(const QString& text, const Vec2& towards, const QLocale& locale = QLocale());
+std::optional<Vec2> typedSize(const QString& text, const Vec2& towards, const QLocale& locale = numberLocale());
 
 /// A place in space, mm: "250, -250, 40", or with ";" between; of two numbers the third is `height`.
-std::optional<Vec3> typedPlace(const QString& text, double height, const QLocale& locale = QLocale());
+std::optional<Vec3> typedPlace(const QString& text, double height, const QLocale& locale = numberLocale());
 
 /// What has been typed so far. Opens with a digit, sign, bracket or decimal sign; then takes everything.
 class TypedEntry {

@@ -4,6 +4,7 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "ToolGeometry.h"
+#include "Units.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -208,10 +209,9 @@ QString CoverPointDrag::hint() const
 
 QString CoverPointDrag::prompt() const
 {
-    const QLocale locale;
-    const auto mm = [&](double value) { return locale.toString(value, 'f', 1); };
-    const QString moved = QCoreApplication::translate("bolster::CoverSelectTool", "Moved by x %1, y %2, z %3 mm")
-                              .arg(mm(m_delta.x()), mm(m_delta.y()), mm(m_delta.z()));
+    const QString moved =
+        QCoreApplication::translate("bolster::CoverSelectTool", "Moved by x %1, y %2, z %3")
+            .arg(steadyLengthFigure(m_delta.x()), steadyLengthFigure(m_delta.y()), steadyLengthText(m_delta.z()));
     return moved + QStringLiteral(" \u2013 ") + hint();
 }
 

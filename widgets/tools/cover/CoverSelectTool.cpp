@@ -2,9 +2,11 @@
 
 #include "CurveEdits.h"
 #include "Document.h"
+#include "MouseStyle.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "ToolGeometry.h"
+#include "Units.h"
 
 #include <QKeyEvent>
 
@@ -190,7 +192,8 @@ bool CoverSelectTool::startNudge(const QKeyEvent& event)
     if (!direction || points.empty())
         return false;
     m_nudges.step(
-        m_context.document(), m_context.selection(), *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1),
+        m_context.document(), m_context.selection(),
+        *direction * nudgeLength(event.modifiers() & Qt::ShiftModifier),
         [points](const Design& start, const Vec3& way) { return moveCurvePointsTogether(start, points, way); });
     return true;
 }
@@ -288,7 +291,8 @@ QString CoverSelectTool::prompt() const
     case CoverHit::Kind::Nothing:
         break;
     }
-    return tr("Click to select, drag to turn \u2013 Shift+middle button pans, wheel zooms");
+    return tr("Click to select, drag to turn \u2013 %1 pans, %2 zooms")
+        .arg(mouseText(MouseView::Cover, ViewMove::Pan), mouseText(MouseView::Cover, ViewMove::Zoom));
 }
 
 QCursor CoverSelectTool::cursor() const

@@ -290,8 +290,8 @@ std::optional<SceneNote> FixationDrawTool::note() const
         return std::nullopt;
     const Vec3& at = m_next->position;
     return SceneNote{
-        tr("%1, %2, %3 mm")
-            .arg(decimalText(at.x(), 0, true), decimalText(at.y(), 0, true), decimalText(at.z(), 0, true)),
+        tr("%1, %2, %3")
+            .arg(steadyLengthFigure(at.x(), 0), steadyLengthFigure(at.y(), 0), steadyLengthText(at.z(), 0)),
         m_pointer};
 }
 

@@ -5,6 +5,7 @@
 #include "ElementText.h"
 #include "Selection.h"
 #include "ToolGeometry.h"
+#include "Units.h"
 
 #include <QLocale>
 
@@ -23,7 +24,6 @@ constexpr double ringRadius = 74;
 constexpr double middleSize = 9;
 constexpr double gizmoReach = 7;
 
-constexpr double snapLength = 10; // mm
 constexpr double snapAngle = 15 * std::numbers::pi / 180;
 
 double snapped(double value, double step, Qt::KeyboardModifiers modifiers)
@@ -144,12 +144,12 @@ Vec3 PlacementGizmo::wayOf(const CoverPointer& pointer) const
         const Vec3 along = Vec3::Unit(m_hovered.axis);
         const double way = alongLine(camera, m_drag->pivot, along, pointer.pixel) -
                            alongLine(camera, m_drag->pivot, along, m_drag->pressed.pixel);
-        return snapped(way, snapLength, pointer.modifiers) * along;
+        return snapped(way, nudgeLength(true), pointer.modifiers) * along;
     }
     const auto onPlane = [&](QPointF p) { return camera.onPlaneThrough(m_drag->pivot, {p.x(), p.y()}); };
     Vec3 way = onPlane(pointer.pixel) - onPlane(m_drag->pressed.pixel);
     for (double& value : way)
-        value = snapped(value, snapLength, pointer.modifiers);
+        value = snapped(value, nudgeLength(true), pointer.modifiers);
     return way;
 }
 
@@ -189,14 +189,13 @@ void PlacementGizmo::update(const CoverPointer& pointer)
 
 QString PlacementGizmo::prompt() const
 {
-    const QLocale locale;
-    const auto text = [&](double value) { return locale.toString(value, 'f', 1); };
     if (m_drag && m_hovered.kind == Handle::Kind::Ring)
         return tr("Turned by %1\u00b0 \u2013 Ctrl snaps to 15\u00b0, Escape cancels")
-            .arg(text(m_drag->turned * 180 / std::numbers::pi));
+            .arg(decimalText(m_drag->turned * 180 / std::numbers::pi, 1, true));
     if (m_drag)
-        return tr("Moved by x %1, y %2, z %3 mm \u2013 Ctrl snaps to 10 mm, Escape cancels")
-            .arg(text(m_drag->moved.x()), text(m_drag->moved.y()), text(m_drag->moved.z()));
+        return tr("Moved by x %1, y %2, z %3 \u2013 Ctrl snaps to %4, Escape cancels")
+            .arg(steadyLengthFigure(m_drag->moved.x()), steadyLengthFigure(m_drag->moved.y()),
+                 steadyLengthText(m_drag->moved.z()), lengthText(nudgeLength(true)));
     switch (m_hovered.kind) {
     case Handle::Kind::Arrow:
         return tr("Drag to move it along this axis");

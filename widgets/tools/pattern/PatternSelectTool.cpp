@@ -11,6 +11,7 @@
 #include "StretchPick.h"
 #include "StretchToFix.h"
 #include "ToolGeometry.h"
+#include "Units.h"
 #include "ViewColors.h"
 
 #include <QKeyEvent>
@@ -275,7 +276,7 @@ bool PatternSelectTool::keyPress(const QKeyEvent& event)
         return false;
     }
     m_nudges.step(m_context.document(), m_context.selection(),
-                  *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1),
+                  *direction * nudgeLength(event.modifiers() & Qt::ShiftModifier),
                   [&selection = m_context.selection()](const Design& start, const Vec2& way) {
                       return nudge(start, selection, way);
                   });
@@ -405,7 +406,8 @@ QString PatternSelectTool::prompt() const
     case PatternHit::Kind::Nothing:
         break;
     }
-    return tr("Click to select, drag a box to select several \u2013 middle button or Space pans, wheel zooms");
+    return tr("Click to select, drag a box to select several \u2013 %1 or Space pans, %2 zooms")
+        .arg(mouseText(MouseView::Pattern, ViewMove::Pan), mouseText(MouseView::Pattern, ViewMove::Zoom));
 }
 
 QCursor PatternSelectTool::cursor() const

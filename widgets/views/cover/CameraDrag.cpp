@@ -13,15 +13,30 @@ constexpr double cameraClickReach = 5; ///< pixels
 
 } // namespace
 
-void CameraDrag::start(const QMouseEvent& event, Qt::MouseButton button)
+QCursor CameraDrag::cursor() const
 {
-    m_navigation.stop();
+    switch (m_move) {
+    case ViewMove::Turn:
+        return Qt::SizeAllCursor;
+    case ViewMove::Pan:
+        return Qt::ClosedHandCursor;
+    case ViewMove::Zoom:
+        return Qt::SizeVerCursor;
+    default:
+        return Qt::ArrowCursor;
+    }
+}
+
+void CameraDrag::start(const QMouseEvent& event, Qt::MouseButton button, ViewMove move)
+{
+    if (move != ViewMove::None)
+        m_navigation.stop();
     m_button = button;
-    m_pans = event.modifiers() & Qt::ShiftModifier;
+    m_move = move;
     m_far = false;
     m_from = m_last = event.position();
     const bool onSomething = bool(m_shown.hits().hitSolid(m_navigation.camera(), m_from));
-    m_anchor = m_pans || onSomething ? m_navigation.anchorAt(m_from) : m_navigation.middle();
+    m_anchor = m_move == ViewMove::Pan || onSomething ? m_navigation.anchorAt(m_from) : m_navigation.middle();
 }
 
 void CameraDrag::move(const QMouseEvent& event)
@@ -30,10 +45,19 @@ void CameraDrag::move(const QMouseEvent& event)
     m_last = event.position();
     m_far = m_far || (m_last - m_from).manhattanLength() >= cameraClickReach;
     Camera camera = m_navigation.camera();
-    if (m_pans)
-        camera.pan({by.x(), by.y()}, m_anchor);
-    else
+    switch (m_move) {
+    case ViewMove::Turn:
         camera.orbit(-orbitSpeed * by.x(), orbitSpeed * by.y(), m_anchor);
+        break;
+    case ViewMove::Pan:
+        camera.pan({by.x(), by.y()}, m_anchor);
+        break;
+    case ViewMove::Zoom:
+        camera.zoom(CoverNavigation::closer(zoomOfDrag(by.y())), m_anchor);
+        break;
+    case ViewMove::None:
+        return;
+    }
     m_navigation.setCamera(camera);
 }
 

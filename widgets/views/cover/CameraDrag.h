@@ -1,7 +1,8 @@
-// Turns and pans the 3D view with the pointer.
+// Turns, pans and zooms the 3D view with the pointer.
 #pragma once
 
 #include "CoverNavigation.h"
+#include "MouseStyle.h"
 
 #include <QCursor>
 
@@ -18,10 +19,10 @@ public:
         , m_shown(shown)
     {}
 
-    /// With Shift it pans.
-    void start(const QMouseEvent& event, Qt::MouseButton button);
+    /// Without a movement it only waits for the button: it may be a click.
+    void start(const QMouseEvent& event, Qt::MouseButton button, ViewMove move);
     bool running() const { return m_button != Qt::NoButton; }
-    QCursor cursor() const { return m_pans ? Qt::ClosedHandCursor : Qt::SizeAllCursor; }
+    QCursor cursor() const;
     void move(const QMouseEvent& event);
     /// True: it has ended.
     bool release(const QMouseEvent& event);
@@ -32,7 +33,7 @@ private:
     CoverNavigation& m_navigation;
     const ShownScene& m_shown;
     Qt::MouseButton m_button = Qt::NoButton;
-    bool m_pans = false;
+    ViewMove m_move = ViewMove::None;
     bool m_far = false; ///< it was farther away than a click
     QPointF m_from, m_last;
     Vec3 m_anchor = Vec3::Zero(); ///< mm

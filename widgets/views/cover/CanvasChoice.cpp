@@ -20,6 +20,12 @@ void CanvasChoice::setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> rendere
     m_renderer = std::move(renderer);
 }
 
+void CanvasChoice::setReduced(bool reduced)
+{
+    if (std::exchange(m_reduced, reduced) != reduced && m_canvas)
+        m_canvas->setReduced(reduced);
+}
+
 void CanvasChoice::make()
 {
     if (m_canvas)
@@ -47,6 +53,7 @@ void CanvasChoice::use(std::unique_ptr<SceneCanvas> canvas)
 {
     m_canvas = std::move(canvas);
     m_canvas->whenShownChanges([this] { emit pictured(); });
+    m_canvas->setReduced(m_reduced);
     place();
     m_canvas->widget().lower();
     m_canvas->widget().show();

@@ -26,6 +26,8 @@ public:
     /// Both before the canvas is made; without a renderer a view without OpenGL shows curves only.
     void setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> renderer);
     void setDrawing(Drawing drawing) { m_drawing = drawing; }
+    /// As SceneCanvas has it.
+    void setReduced(bool reduced);
     /// Unless it is there.
     void make();
 
@@ -57,6 +59,7 @@ private:
     QWidget& m_view;
     std::shared_ptr<SoftwareRenderer> m_renderer;
     Drawing m_drawing = Drawing::Automatic;
+    bool m_reduced = false;
     std::unique_ptr<SceneCanvas> m_canvas;
 };
 

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bolster {
 
@@ -56,7 +57,7 @@ void CoverNavigation::goTo(const Camera& camera)
     stop();
     m_from = m_camera;
     m_to = camera;
-    if (m_view.isVisible())
+    if (m_view.isVisible() && m_animated)
         m_flight.start();
     else
         apply(camera);
@@ -195,6 +196,19 @@ void CoverNavigation::turn(double azimuthBy, double elevationBy)
     Camera camera = m_camera;
     camera.orbit(azimuthBy, elevationBy, middle());
     setCamera(camera);
+}
+
+void CoverNavigation::pan(QPointF by, QPointF pixel)
+{
+    Camera camera = m_camera;
+    camera.pan({by.x(), by.y()}, anchorAt(pixel));
+    setCamera(camera);
+}
+
+double CoverNavigation::closer(double notches)
+{
+    constexpr double wheelStep = 0.88; // distance after one notch
+    return std::pow(wheelStep, notches);
 }
 
 void CoverNavigation::zoom(double factor, QPointF pixel)

@@ -46,6 +46,11 @@ public:
     void turn(double azimuthBy, double elevationBy);
     /// Stays where it is, whatever was on its way or appears.
     void stop();
+    void pan(QPointF by, QPointF pixel); ///< pixels; what lies under the pixel stays below it
+    /// The factor of so many notches of the wheel.
+    static double closer(double notches);
+    /// Flights take no time.
+    void setAnimated(bool animated) { m_animated = animated; }
     /// `factor` < 1 comes closer to what lies under the pixel.
     void zoom(double factor, QPointF pixel);
     /// What lies under the pixel, or the place at the depth of the scene's middle: movements are about it.
@@ -72,7 +77,8 @@ private:
     const QWidget& m_view;
     Camera m_camera;
     bool m_fitPending = true; ///< until there is something to see and a size
-    bool m_returned = false;  ///< the view was given, and no other was asked for since
+    bool m_animated = true;
+    bool m_returned = false; ///< the view was given, and no other was asked for since
     QVariantAnimation m_flight;
     Camera m_from, m_to; ///< of the flight
 };

@@ -1,7 +1,9 @@
 #include "CoverView.h"
 
 #include "MapLegend.h"
+#include "MouseStyle.h"
 #include "Selection.h"
+#include "Units.h"
 #include "ViewCube.h"
 
 #include <QEvent>
@@ -67,6 +69,8 @@ void CoverView::wireScene()
 void CoverView::wireTools()
 {
     m_tools.speakThrough(*this);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, &m_tools, &ToolHost::refresh);
+    connect(&MouseStyles::instance(), &MouseStyles::changed, &m_tools, &ToolHost::refresh);
     connect(&m_section, &SectionControl::closed, this, &CoverView::sectionClosed);
     connect(&m_section, &SectionControl::entered, this, [this] { m_tools.tool().leave(); });
     connect(&m_section, &SectionControl::handleChanged, this, [this] {

@@ -22,8 +22,8 @@ namespace bolster {
 class MapLegend;
 class ViewCube;
 
-/// The middle or right button, or Alt with the left one, turns; with Shift it pans. The left button turns, too,
-/// where there is nothing to drag. The wheel zooms at the pointer; Home shows everything.
+/// Which buttons turn, pan and zoom says MouseStyle. The left button turns, too, where there is nothing to drag.
+/// Home shows everything.
 class CoverView : public QWidget {
     Q_OBJECT
 
@@ -47,6 +47,8 @@ public:
     /// Both before the view is shown; without a renderer a view without OpenGL shows curves only.
     void setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> renderer);
     void setDrawing(Drawing drawing);
+    /// Quick pictures, also when nothing moves; at any time.
+    void setReduced(bool reduced) { m_canvas.setReduced(reduced); }
     /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
     SurfaceMeshPtr shownSurface() const { return m_canvas.shown(); }
     /// Whether the picture on the screen, if there is one, is of this surface.

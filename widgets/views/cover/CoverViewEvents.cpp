@@ -6,14 +6,12 @@
 #include <QNativeGestureEvent>
 
 #include <algorithm>
-#include <cmath>
 
 namespace bolster {
 
 namespace {
 
 constexpr double surfaceClickReach = 5; ///< pixels
-constexpr double wheelStep = 0.88;      ///< distance after one notch
 
 CoverPointer pointerOf(const QMouseEvent& event)
 {
@@ -24,7 +22,9 @@ CoverPointer pointerOf(const QMouseEvent& event)
 
 void CoverView::startDrag(const QMouseEvent& event, Qt::MouseButton button)
 {
-    m_drag.start(event, button);
+    // Beside what can be dragged the left button alone does what it does with Alt elsewhere.
+    const auto keys = event.modifiers() | (button == Qt::LeftButton ? Qt::AltModifier : Qt::NoModifier);
+    m_drag.start(event, button, moveOf(MouseView::Cover, button, keys));
     setCursor(m_drag.cursor());
 }
 
@@ -32,13 +32,14 @@ void CoverView::mousePressEvent(QMouseEvent* event)
 {
     if (m_drag.running())
         return;
-    const bool left = event->button() == Qt::LeftButton, alt = event->modifiers() & Qt::AltModifier;
-    if (left && !alt) {
+    const Qt::MouseButton button = event->button();
+    const bool moves = moveOf(MouseView::Cover, button, event->modifiers()) != ViewMove::None;
+    if (button == Qt::LeftButton && !moves) {
         m_pressedAt = event->position();
         if (!m_section.press(*event))
             m_tools.tool().press(pointerOf(*event));
-    } else if (left || event->button() == Qt::MiddleButton || event->button() == Qt::RightButton) {
-        startDrag(*event, event->button());
+    } else if (moves || button == Qt::RightButton) { // which may want the menu
+        startDrag(*event, button);
     } else {
         event->ignore();
     }
@@ -64,7 +65,7 @@ void CoverView::mouseReleaseEvent(QMouseEvent* event)
             return;
         setCursor(m_tools.tool().cursor());
         if (event->button() == Qt::RightButton &&
-            m_drag.clicked()) // it turns; where it has not, the menu is wanted
+            m_drag.clicked()) // it may turn; where it has not, the menu is wanted
             m_tools.rightClick(*event);
     } else if (event->button() == Qt::LeftButton && !m_section.release(*event)) {
         m_tools.tool().release(pointerOf(*event));
@@ -87,9 +88,11 @@ void CoverView::mouseDoubleClickEvent(QMouseEvent* event)
 
 void CoverView::wheelEvent(QWheelEvent* event)
 {
-    const double notches = event->angleDelta().y() / 120.0;
-    if (notches != 0)
-        m_navigation.zoom(std::pow(wheelStep, notches), event->position());
+    const WheelMove move = moveOf(*event);
+    if (move.notches != 0)
+        m_navigation.zoom(CoverNavigation::closer(move.notches), event->position());
+    if (!move.pan.isNull())
+        m_navigation.pan(move.pan, event->position());
 }
 
 bool CoverView::event(QEvent* event)
@@ -148,7 +151,7 @@ void CoverView::focusOutEvent(QFocusEvent* event)
 
 void CoverView::contextMenuEvent(QContextMenuEvent* event)
 {
-    event->accept(); // the right button turns
+    event->accept(); // the right button may turn
     if (event->reason() == QContextMenuEvent::Keyboard)
         m_tools.menuKey();
 }

@@ -57,7 +57,7 @@ SectionPanel::SectionPanel(QWidget* parent)
     m_slider->setMinimumWidth(150);
     m_slider->setToolTip(tr("Moves the plane"));
     layout->addWidget(m_slider, 1);
-    m_value->setMinimumWidth(m_value->fontMetrics().horizontalAdvance(QStringLiteral("-8888.8 mm")));
+    m_value->setMinimumWidth(m_value->fontMetrics().horizontalAdvance(QStringLiteral("-888 88/88\u2033")));
     m_value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     layout->addWidget(m_value);
     QToolButton* turn = addButton({}, tr("Show the other half"));
@@ -68,6 +68,7 @@ SectionPanel::SectionPanel(QWidget* parent)
         m_offset = m_range.first + (m_range.second - m_range.first) * step / steps;
         announce();
     });
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &SectionPanel::showOffset);
     connect(turn, &QToolButton::clicked, this, &SectionPanel::flip);
     connect(close, &QToolButton::clicked, this, &SectionPanel::closed);
     hide();

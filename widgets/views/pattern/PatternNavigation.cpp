@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <cmath>
+
 namespace bolster {
 
 namespace {
@@ -32,6 +34,12 @@ void PatternNavigation::apply(const PatternTransform& transform)
 {
     m_transform = transform;
     emit moved();
+}
+
+double PatternNavigation::closer(double notches)
+{
+    constexpr double wheelStep = 1.2; // as large after one notch
+    return std::pow(wheelStep, notches);
 }
 
 void PatternNavigation::fitAll()

@@ -22,6 +22,8 @@ public:
 
     const PatternTransform& transform() const { return m_transform; }
     void setTransform(const PatternTransform& transform);
+    /// The factor of so many notches of the wheel.
+    static double closer(double notches);
     void fitAll();
     void fitSelection(); ///< everything when nothing in the layout is selected
     /// Fits the selection if its edges - without edges its elements - are not all in the picture.

@@ -1,4 +1,4 @@
-// Moves the pattern with the pointer.
+// Pans and zooms the pattern with the pointer.
 #pragma once
 
 #include <QCursor>
@@ -12,7 +12,7 @@ namespace bolster {
 
 class PatternNavigation;
 
-/// With the middle button, or with the left one while Space is down.
+/// With the buttons that MouseStyle says, or with the left one while Space is down.
 class PatternPan {
 public:
     /// It must outlive it.
@@ -32,6 +32,8 @@ public:
 private:
     PatternNavigation& m_navigation;
     bool m_space = false;
+    bool m_zooms = false;
+    QPointF m_from;
     std::optional<QPointF> m_last;
 };
 

@@ -3,7 +3,6 @@
 #include "DrawingAids.h"
 #include "PatternGrid.h"
 #include "PatternNavigation.h"
-#include "Units.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -19,16 +18,6 @@ namespace {
 constexpr double leastLabelGap = 58;
 constexpr double leastTickGap = 5;
 constexpr double grabReach = 6;
-
-/// The shortest round length (1, 2 or 5 times a power of ten, mm) that is at least so many pixels wide.
-double labelStep(double scale)
-{
-    double step = gridStep(scale, leastLabelGap);
-    for (const double part : {0.2, 0.5})
-        if (part * step * scale >= leastLabelGap)
-            return part * step;
-    return step;
-}
 
 } // namespace
 
@@ -85,8 +74,7 @@ void PatternRuler::paintScale(QPainter& painter) const
 {
     const ViewColors colors = ViewColors::of(m_view.palette());
     const PatternTransform& transform = m_navigation.transform();
-    const double step = labelStep(transform.scale());
-    const int parts = step * transform.scale() / 10 >= leastTickGap ? 10 : 5;
+    const auto [step, parts] = rulerStep(transform.scale(), leastLabelGap, leastTickGap);
     const Box2 box = transform.visible(m_view.size());
     const int axis = level() ? 0 : 1;
     QFont small = font();
@@ -98,7 +86,7 @@ void PatternRuler::paintScale(QPainter& painter) const
         const double value = static_cast<double>(i) * step / parts;
         const double at = std::floor(along({value, value})) + 0.5;
         const bool labelled = i % parts == 0;
-        const double length = labelled ? thickness : i % 5 == 0 && parts == 10 ? 8 : 5;
+        const double length = labelled ? thickness : parts % 2 == 0 && i % (parts / 2) == 0 ? 8 : 5;
         painter.setPen(labelled ? colors.mutedLabel : mixed(colors.canvas, colors.mutedLabel, 0.6));
         painter.drawLine(level() ? QLineF(at, thickness - length, at, thickness)
                                  : QLineF(thickness - length, at, thickness, at));
@@ -108,8 +96,7 @@ void PatternRuler::paintScale(QPainter& painter) const
         painter.save();
         painter.translate(level() ? QPointF(at + 3, 1) : QPointF(1, at - 3));
         painter.rotate(level() ? 0 : -90);
-        painter.drawText(QRectF(0, 0, leastLabelGap, 13), Qt::AlignLeft | Qt::AlignVCenter,
-                         decimalText(value, 3, false));
+        painter.drawText(QRectF(0, 0, leastLabelGap, 13), Qt::AlignLeft | Qt::AlignVCenter, gridFigure(value));
         painter.restore();
     }
     if (level()) // the corner belongs to neither

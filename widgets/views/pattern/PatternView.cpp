@@ -2,9 +2,11 @@
 
 #include "Document.h"
 #include "DrawingKeys.h"
+#include "MouseStyle.h"
 #include "PatternRulers.h"
 #include "Selection.h"
 #include "SelectionSteps.h"
+#include "Units.h"
 
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -12,8 +14,6 @@
 #include <QNativeGestureEvent>
 #include <QPainter>
 #include <QToolTip>
-
-#include <cmath>
 
 namespace bolster {
 
@@ -59,6 +59,8 @@ void PatternView::wire()
     connect(&m_margins, &PatternMargins::pointerMoved, this, &PatternView::pointerMoved);
     connect(this, &PatternView::pointerMoved, &m_margins, &PatternMargins::showPointer);
     connect(&m_tools, &ToolHost::refreshed, this, &PatternView::refreshed);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, &m_tools, &ToolHost::refresh);
+    connect(&MouseStyles::instance(), &MouseStyles::changed, &m_tools, &ToolHost::refresh);
     m_tools.speakThrough(*this);
 }
 
@@ -220,8 +222,12 @@ void PatternView::mouseDoubleClickEvent(QMouseEvent* event)
 
 void PatternView::wheelEvent(QWheelEvent* event)
 {
-    const double steps = event->angleDelta().y() / 120.0;
-    m_navigation.setTransform(m_navigation.transform().zoomed(event->position(), std::pow(1.2, steps)));
+    const WheelMove move = moveOf(*event);
+    const PatternTransform& now = m_navigation.transform();
+    if (move.notches != 0)
+        m_navigation.setTransform(now.zoomed(event->position(), PatternNavigation::closer(move.notches)));
+    else if (!move.pan.isNull())
+        m_navigation.setTransform(now.panned(move.pan));
     event->accept();
 }
 

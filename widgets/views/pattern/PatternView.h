@@ -16,7 +16,7 @@
 
 namespace bolster {
 
-/// The wheel zooms at the pointer; the middle button, or Space with the left one, pans; Home shows everything.
+/// Which buttons pan and zoom says MouseStyle; Space with the left one pans, too; Home shows everything.
 class PatternView : public QWidget {
     Q_OBJECT
 
