@@ -44,12 +44,16 @@ set(bolster_documents "${CMAKE_INSTALL_DATADIR}/doc/bolster")
 install(FILES LICENSE README.md ARCHITECTURE.md CONTRIBUTING.md DESTINATION "${bolster_documents}"
     COMPONENT documents)
 install(DIRECTORY docs DESTINATION "${bolster_documents}" COMPONENT documents
+    PATTERN manual EXCLUDE
     PATTERN "make-*" EXCLUDE)
-if(EXISTS "${PROJECT_SOURCE_DIR}/docs/manual") # where whoever looks for a manual looks first
-    install(CODE "
-        file(CREATE_LINK docs/manual \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}/manual\" SYMBOLIC)"
-        COMPONENT documents)
-endif()
+# The program opens the manual, so it does not lie among documents, which may be left out; links lead there.
+install(DIRECTORY docs/manual/ DESTINATION "${CMAKE_INSTALL_DATADIR}/bolster/manual" COMPONENT samples
+    PATTERN "make-*" EXCLUDE)
+install(CODE "
+    set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}\")
+    file(CREATE_LINK ../../bolster/manual \"\${folder}/manual\" SYMBOLIC)
+    file(CREATE_LINK ../../../bolster/manual \"\${folder}/docs/manual\" SYMBOLIC)"
+    COMPONENT documents)
 install(CODE "
     set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${bolster_documents}/resources\")
     file(MAKE_DIRECTORY \"\${folder}\")

@@ -160,6 +160,33 @@
     </message>
 </context>
 <context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -231,16 +258,16 @@
         <translation>Klick wählt das Schnittteil aus, Ziehen dreht die Ansicht</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>Klick wählt aus, Ziehen dreht – Umschalt+mittlere Taste verschiebt die Ansicht, das Rad zoomt</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>Klick wählt die Kurve, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>Klicken wählt, was hier steht, Ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>Prüfen vor dem Zuschneiden</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>S&amp;chaumkörper exportieren …</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2067,16 +2102,16 @@
         <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – B macht gerade, Rücktaste nimmt einen Punkt zurück</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – gerade von Punkt zu Punkt, was auch dazwischen liegt: B macht glatt an der Oberfläche entlang, Rücktaste nimmt einen Punkt zurück</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>Kurve &amp;schließen</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation type="unfinished">%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>„%1“: bis zu %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>„%1“: mehr als %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2127,8 +2154,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>„%1“: Ihre Kante ist bis zu %2 mm entfernt</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2215,10 +2250,6 @@
     <message>
         <source>Mesh</source>
         <translation>Netz</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>Piece %1: %2</source>
@@ -2333,10 +2364,6 @@
         <translation>Kontrollpunkt einfügen</translation>
     </message>
     <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>Um 1 mm, um 10 mm verschieben</translation>
-    </message>
-    <message>
         <source>arrow keys, Shift+arrow keys</source>
         <translation>Pfeiltasten, Umschalt+Pfeiltasten</translation>
     </message>
@@ -2345,28 +2372,12 @@
         <translation>Ansicht verschieben</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>mittlere Taste oder mit Leertaste ziehen</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoomen</translation>
     </message>
     <message>
-        <source>wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Ansicht drehen</translation>
-    </message>
-    <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>mittlere Taste oder neben dem Bezug ziehen</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Umschalt und mittlere Taste</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -2612,6 +2623,18 @@
         <source>right button, without a drag</source>
         <translation>rechte Taste, ohne zu ziehen</translation>
     </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Insert</name>
@@ -2624,8 +2647,8 @@
         <translation>Schaum</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>Dieses Gestell ist groß: Seine kleinste Einzelheit ist auf %1 mm gesetzt, denn die üblichen %2 mm brauchten zu viel Speicher.</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2693,6 +2716,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>Ändert den Schnitt, bis der Bezug auf einem Scan liegt oder weniger gedehnt ist</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation type="unfinished">Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5691,6 +5753,81 @@
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 hat keine Länge: Dort wird nicht geschnitten</translation>
     </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation type="unfinished">rechte Taste</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation type="unfinished">Mausrad</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation type="unfinished">Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5923,10 +6060,6 @@
         <translation>Klick wählt das Schnittteil aus, Ziehen verschiebt es im Layout</translation>
     </message>
     <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>Klick wählt aus, Aufziehen eines Rahmens wählt mehrere aus – mittlere Taste oder Leertaste verschiebt die Ansicht, das Rad zoomt</translation>
-    </message>
-    <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
         <translation>Klick wählt die Kurve, Ziehen verschiebt sie, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
     </message>
@@ -5965,6 +6098,10 @@
     <message>
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>Ziehen Sie die Beschriftung dorthin, wo man sie lesen kann; ein Klick wählt das Schnittteil aus</translation>
+    </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6050,10 +6187,6 @@
         <translation>Um %1° gedreht – Strg rastet bei 15° ein, Escape bricht ab</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>Um x %1, y %2, z %3 mm verschoben – Strg rastet bei 10 mm ein, Escape bricht ab</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>Ziehen verschiebt entlang dieser Achse</translation>
     </message>
@@ -6064,6 +6197,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>Ziehen verschiebt parallel zum Bild</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: &quot;3 in&quot;, &quot;2.5 cm&quot;, &quot;1&apos; 2 3/8\&quot;&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation type="unfinished">Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6724,6 +7175,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation type="unfinished">&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6755,6 +7257,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>&amp;Zahlen …</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation type="unfinished">Polsterung</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation type="unfinished">Bolster</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6834,6 +7442,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>Ab&amp;näher zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Cut a dart): what you change in the flat is sewn at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6959,16 +7666,24 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
-    </message>
-    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7096,6 +7811,32 @@
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>Wählen Sie Schnittteile, Kurven, Gestelle, Schaum oder Scans, um sie auszublenden.</translation>
     </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WindowCommands</name>
@@ -7124,6 +7865,116 @@
     <message>
         <source>Drawn in software</source>
         <translation>In Software gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished">Keine</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7221,10 +8072,6 @@
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>Um x %1, y %2, z %3 mm verschoben</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>An eine Achse gebunden; dieselbe Taste löst sie</translation>
     </message>
@@ -7239,6 +8086,10 @@
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X, Y, Z oder Umschalt halten eine Achse ein, S bleibt am Gestell, Strg hebt ab, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7306,6 +8157,29 @@
     </message>
 </context>
 <context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsModel</name>
     <message>
         <source>Hidden in the 3D view</source>
@@ -7317,6 +8191,10 @@
     <message>
         <source>Find an element</source>
         <translation>Element suchen</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation type="unfinished">Elemente</translation>
     </message>
 </context>
 <context>
@@ -7422,13 +8300,6 @@
         <translation>Bohrlö&amp;cher</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n Teil auf %1 x %2 mm</numerusform>
-            <numerusform>%n Teile auf %1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n Seite</numerusform>
@@ -7469,6 +8340,13 @@
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
         <translation>Ein Doppelklick verlässt dieses Fenster und zeigt, wo es ist; die ganze Liste steht im Bereich „Prüfen vor dem Zuschneiden“.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7680,16 +8558,16 @@
         <source>turned by %1</source>
         <translation>um %1 gedreht</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n Punkt, %1 mm</numerusform>
-            <numerusform>%n Punkte, %1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, von %2 bis %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8021,10 +8899,6 @@
         <translation>&amp;Gerettetes öffnen</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird 30 Tage, nachdem es in den Papierkorb kam, gelöscht.</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>In den &amp;Papierkorb</translation>
     </message>
@@ -8128,6 +9002,13 @@
         <source>The pattern is imported. What is otherwise than in the file:</source>
         <translation>Der Schnitt ist importiert. Was anders ist als in der Datei:</translation>
     </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -8180,16 +9061,8 @@
         <translation>Breite, Tiefe, Höhe</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>Das ist ungewöhnlich für ein Möbelstück: prüfen Sie die Einheit.</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>Die Datei hat %1 Punkte. Das sind mehr, als das Anpassen eines Bezugs braucht; sie wurden deshalb auf einen alle %2 mm ausgedünnt.</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8263,8 +9136,12 @@
         <translation>Lage und Drehung &amp;behalten</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>Es war %1 mm groß und wird %2 mm groß: Prüfen Sie die Einheit.</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8272,6 +9149,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>Flach gelegte Teile</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation type="unfinished">Eine Datei …</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation type="unfinished">Netze und Scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -8433,6 +9321,10 @@
         <source>Find a change or a version</source>
         <translation>Änderung oder Version suchen</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished">Verlauf</translation>
+    </message>
 </context>
 <context>
     <name>bolster::HistoryView</name>
@@ -8508,10 +9400,6 @@
         <translation>Was zum Umriss der Schnittteile wird, wo die Datei beide Linien hat.</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>Umrisse, deren Enden nicht weiter auseinander liegen, werden durch eine gerade Linie geschlossen.</translation>
     </message>
@@ -8544,16 +9432,8 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8567,13 +9447,6 @@
         <translation>
             <numerusform>, %n-mal</numerusform>
             <numerusform>, %n-mal</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n Umriss ist offen: Seine Enden liegen bis zu %1 mm auseinander. Schließen Sie Lücken bis dahin, wenn es ein Umriss ist.</numerusform>
-            <numerusform>%n Umrisse sind offen: Ihre Enden liegen bis zu %1 mm auseinander. Schließen Sie Lücken bis dahin, wenn es Umrisse sind.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8611,6 +9484,28 @@
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
         <translation>%1 hat %2 Teile; höchstens %3 können auf einmal importiert werden: die ersten sind gewählt.</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8621,14 +9516,6 @@
     <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8660,6 +9547,30 @@
             <numerusform>%n Teil ist im Schnitt. Naht &gt; Nähte vorschlagen findet, was zusammengehört.</numerusform>
             <numerusform>%n Teile sind im Schnitt. Naht &gt; Nähte vorschlagen findet, was zusammengehört.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation type="unfinished">Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9133,10 +10044,6 @@
         <translation>&amp;Winkel der Ecken</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>No point &amp;moves farther than</source>
         <translation>Kein Punkt wandert &amp;weiter als</translation>
     </message>
@@ -9161,16 +10068,8 @@
         <translation>Wie &amp;viel davon</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Eine Datei …</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>Die Form, auf der der Bezug liegen soll</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Netze und Scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9187,10 +10086,6 @@
     <message>
         <source>Stopped; nothing has changed.</source>
         <translation>Angehalten; nichts hat sich geändert.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9251,6 +10146,66 @@
         <source>With all of the changes:</source>
         <translation>Mit allen Änderungen:</translation>
     </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished">Kurve</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -9261,6 +10216,231 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>Nach rechts ziehen für eine senkrechte Hilfslinie. Marken verschieben waagrechte Hilfslinien; hinausgezogen verschwinden sie.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation type="unfinished">Seiten</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished">Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation type="unfinished">Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation type="unfinished">Zoomen</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation type="unfinished">In der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation type="unfinished">Im Schnitt</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation type="unfinished">Dehnungsgrenze</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation type="unfinished">Angehalten; nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9433,6 +10613,96 @@
         <source>Open its folder</source>
         <translation>Seinen Ordner öffnen</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation type="unfinished">&amp;Anhalten</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ScanLink</name>
@@ -9488,10 +10758,6 @@
         <translation>Sucht Kanten, die zusammengehören …</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 und %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -9510,6 +10776,10 @@
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
         <translation>Die mit 50 % und mehr. Was genäht ist, sagt, wohin die Nachbarn gehören.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished">%1 und %2</translation>
     </message>
 </context>
 <context>
@@ -9600,6 +10870,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>Noch keine Nähte. Wähle das Nähwerkzeug (W) und klicke dann die zwei Kanten an, die zusammengehören.</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation type="unfinished">Nähte</translation>
     </message>
 </context>
 <context>
@@ -9761,6 +11035,10 @@
         <source>%1 it is.</source>
         <translation>%1 ist vergeben.</translation>
     </message>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
@@ -9883,6 +11161,101 @@
     </message>
 </context>
 <context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation type="unfinished">Noch nichts</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation type="unfinished">Liste leeren</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
@@ -9970,10 +11343,174 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation type="unfinished">Teile</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished">Hinten</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
     </message>
 </context>
 <context>

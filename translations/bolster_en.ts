@@ -49,14 +49,17 @@
     </message>
 </context>
 <context>
-    <name>bolster::ExportPatternDialog</name>
+    <name>bolster::CauseWindow</name>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n piece on %1 x %2 mm</numerusform>
-            <numerusform>%n pieces on %1 x %2 mm</numerusform>
+        <source>and %n others</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>bolster::ExportPatternDialog</name>
     <message numerus="yes">
         <source>%n pages</source>
         <translation>
@@ -69,6 +72,13 @@
         <translation>
             <numerusform>%n patch is left out: its outline crosses itself</numerusform>
             <numerusform>%n patches are left out: their outlines cross themselves</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -102,10 +112,10 @@
 <context>
     <name>bolster::FieldText</name>
     <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n point, %1 mm</numerusform>
-            <numerusform>%n points, %1 mm</numerusform>
+        <source>%n points, %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -151,6 +161,13 @@
         <translation>
             <numerusform>%n unsaved edit is in the history, undone or on another branch.</numerusform>
             <numerusform>%n unsaved edits are in the history, undone or on other branches.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -205,17 +222,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n outline is open: its ends are up to %1 mm apart. Close gaps up to that, if it is an outline.</numerusform>
-            <numerusform>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n lines lay twice on themselves and are taken once.</source>
         <translation>
             <numerusform>%n line lay twice on itself and is taken once.</numerusform>
             <numerusform>%n lines lay twice on themselves and are taken once.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -240,6 +257,16 @@
     </message>
 </context>
 <context>
+    <name>bolster::PreferencesWindow</name>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message numerus="yes">
         <source>%n problems</source>
@@ -253,6 +280,23 @@
         <translation>
             <numerusform>%n warning</numerusform>
             <numerusform>%n warnings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SweepWindow</name>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -7,6 +7,12 @@
 
 namespace bolster {
 
+namespace {
+
+constexpr int keyRole = Qt::UserRole + 1;
+
+} // namespace
+
 ProblemsView::ProblemsView(const ProblemSet& problems, QWidget* parent)
     : QListWidget(parent)
     , m_problems(problems)
@@ -36,7 +42,14 @@ void ProblemsView::fill()
             auto* item =
                 new QListWidgetItem(severity == Severity::Error ? error : warning, translated(problem), this);
             item->setData(Qt::UserRole, number(problem.element));
+            item->setData(keyRole, QString::fromStdString(problem.message.key));
+            item->setToolTip(tr("F1: what it means, and what to do"));
         }
+}
+
+QString ProblemsView::currentKey() const
+{
+    return currentItem() ? currentItem()->data(keyRole).toString() : QString();
 }
 
 } // namespace bolster

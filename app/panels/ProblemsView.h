@@ -15,6 +15,9 @@ class ProblemsView : public QListWidget {
 public:
     explicit ProblemsView(const ProblemSet& problems, QWidget* parent = nullptr);
 
+    /// Of the problem that is chosen: the key of its message, by which the manual knows it; "" when there is none.
+    QString currentKey() const;
+
 signals:
     void chosen(bolster::ElementId element);
 

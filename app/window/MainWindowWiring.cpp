@@ -29,6 +29,7 @@
 #include "LayerCommands.h"
 #include "MainMenu.h"
 #include "MainWindow.h"
+#include "ManualCommands.h"
 #include "MapCommands.h"
 #include "PatternCommands.h"
 #include "PatternView.h"
@@ -111,6 +112,7 @@ void MainWindow::addCommands()
     auto& preferences = addArea<PreferenceCommands>(
         commands, *m_preferences,
         PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface, *m_fabricCommands, *this});
+    addArea<ManualCommands>(commands, *this);
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
     addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files,
                         *m_startPage);

@@ -1,6 +1,7 @@
 #include "SkinnedFrames.h"
 
 #include "Design.h"
+#include "StiffFrames.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,10 +18,11 @@ SkinnedFrames::SkinnedFrames(ViewScene& scene, const std::vector<ElementId>& ids
 SkinnedFrames::Wanted SkinnedFrames::make(const Wanted& wanted, std::stop_token stop)
 {
     Wanted made = wanted;
-    const FrameSkins pressed(wanted.surface.get());
+    const FrameSkins pressed(wanted.surface.get()), stiff(nullptr);
     for (std::size_t f = 0; f < made.frames.size() && !stop.stop_requested(); ++f)
         if (made.frames[f].mesh)
-            made.frames[f].skin = pressed.skin(*made.frames[f].mesh, made.frames[f].placement, stop);
+            made.frames[f].skin = (isStiff(made.frames[f].material) ? stiff : pressed)
+                                      .skin(*made.frames[f].mesh, made.frames[f].placement, stop);
     return made;
 }
 
@@ -44,7 +46,7 @@ void SkinnedFrames::take(const Wanted& made)
             return other.mesh != frame.mesh || other.cover == made.surface || other.cover != m_whole;
         });
         if (frame.skin)
-            known.insert(known.begin(), {frame.mesh, made.surface, frame.skin});
+            known.insert(known.begin(), {frame.mesh, made.surface, frame.skin, isStiff(frame.material)});
     }
     use();
     m_ready();
@@ -59,7 +61,7 @@ const SkinnedFrames::Made* SkinnedFrames::skinOf(std::size_t frame) const
     const Scene::FrameLook& look = m_scene.frames[frame];
     const Made* newest = nullptr;
     for (const Made& made : found->second) {
-        if (made.mesh != look.mesh)
+        if (made.mesh != look.mesh || made.stiff != isStiff(look.material))
             continue;
         if (made.cover == m_scene.surface && made.skin->placement == look.placement)
             return &made;

@@ -34,6 +34,7 @@ private:
         std::shared_ptr<const TriangleMesh> mesh;
         SurfaceMeshPtr cover; ///< under which it is pressed; may be null
         FrameSkinPtr skin;
+        bool stiff = false; ///< made as of what gives nothing
     };
 
     static Wanted make(const Wanted& wanted, std::stop_token stop);

@@ -25,7 +25,7 @@ HelpCommands::HelpCommands(Commands& commands, CommandPalette& palette, QMainWin
                   {.id = "help.keys",
                    .formerly = "keys-and-mouse",
                    .text = tr("&Keys and mouse \u2026"),
-                   .keys = {Qt::Key_F1},
+                   .keys = {Qt::SHIFT | Qt::Key_F1},
                    .places = {"help/1"},
                    .does = [this] { showShortcuts(&m_window, m_commands); }},
                   {.id = "help.edit-shortcuts",

@@ -6,6 +6,7 @@
 #include "FramePieces.h"
 #include "SeamRelief.h"
 #include "SeamTrims.h"
+#include "StiffFrames.h"
 
 #include <map>
 #include <stdexcept>
@@ -60,12 +61,13 @@ CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design)
 std::vector<Scene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
                                                const SurfaceMesh* surface)
 {
-    const FrameSkins skins(surface);
+    const FrameSkins pressed(surface), stiff(nullptr);
     std::vector<Scene::FrameLook> frames;
     const auto add = [&](std::shared_ptr<const TriangleMesh> mesh, const Placement& placement,
                          const FrameMaterial& material, const std::string& name) {
         if (mesh)
-            frames.push_back({mesh, placement, material, 1, skins.skin(*mesh, placement), name});
+            frames.push_back(
+                {mesh, placement, material, 1, (isStiff(material) ? stiff : pressed).skin(*mesh, placement), name});
     };
     const auto fileOf = [&](ElementId id) {
         const auto found = files.meshes.find(id);

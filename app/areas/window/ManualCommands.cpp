@@ -1,0 +1,77 @@
+#include "ManualCommands.h"
+
+#include "Ask.h"
+#include "Commands.h"
+#include "CoverView.h"
+#include "ManualWindow.h"
+#include "PatternView.h"
+#include "ProblemsView.h"
+#include "Samples.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QKeyEvent>
+
+namespace bolster {
+
+ManualCommands::ManualCommands(Commands& commands, QWidget& window)
+    : m_commands(commands)
+    , m_window(window)
+    , m_folder(shippedFolder("manual"))
+    , m_places(m_folder)
+{
+    commands.add({.id = "help.manual",
+                  .text = tr("&Manual"),
+                  .keys = {Qt::Key_F1},
+                  .tip = tr("The page about what you are at"),
+                  .places = {"help/1"},
+                  .does = [this] { open(placeNow()); }});
+    qApp->installEventFilter(this);
+}
+
+/// Keys of the main window's commands don't reach dialogs.
+bool ManualCommands::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_F1 ||
+        static_cast<QKeyEvent*>(event)->modifiers() != Qt::NoModifier ||
+        !qobject_cast<QDialog*>(QApplication::activeWindow()) || !watched->isWidgetType())
+        return false;
+    open(placeNow());
+    return true;
+}
+
+QString ManualCommands::placeNow() const
+{
+    const QWidget* focus = QApplication::focusWidget();
+    if (const auto* problems = qobject_cast<const ProblemsView*>(focus))
+        if (const QString place = m_places.ofMessage(problems->currentKey()); !place.isEmpty())
+            return place;
+    if (qobject_cast<const PatternView*>(focus) || qobject_cast<const CoverView*>(focus))
+        for (const QAction* tool : m_commands.startingWith("tool."))
+            if (tool->isChecked())
+                if (const QString place = m_places.ofCommand(tool->objectName()); !place.isEmpty())
+                    return place;
+    const QString place = m_places.ofWidget(focus ? focus : QApplication::activeWindow());
+    return place.isEmpty() ? ManualPlaces::first() : place;
+}
+
+void ManualCommands::open(const QString& place)
+{
+    if (m_folder.isEmpty()) {
+        tell(&m_window, QMessageBox::Warning, tr("The manual is not installed."),
+             tr("It is a folder \"manual\" with the program's other files."));
+        return;
+    }
+    QWidget* above = QApplication::activeModalWidget(); // else the manual could not be clicked
+    QWidget* parent = above ? above : &m_window;
+    if (m_manual && m_manual->parentWidget() != parent)
+        m_manual->close();
+    if (!m_manual || m_manual->parentWidget() != parent)
+        m_manual = new ManualWindow(m_folder, parent);
+    m_manual->open(place);
+    m_manual->QWidget::show();
+    m_manual->raise();
+    m_manual->activateWindow();
+}
+
+} // namespace bolster

@@ -1,0 +1,90 @@
+// F1 opens the manual at what one is doing; its links and headings are found.
+#include "WindowTest.h"
+
+#include "CoverView.h"
+#include "ManualWindow.h"
+#include "PatternView.h"
+#include "ProblemsView.h"
+#include "Samples.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTextBlock>
+#include <QTextBrowser>
+
+namespace bolster {
+namespace {
+
+class ManualTest : public WindowTest {
+protected:
+    ManualWindow* manual()
+    {
+        const auto found = window.findChildren<ManualWindow*>();
+        for (ManualWindow* one : found)
+            if (one->isVisible())
+                return one;
+        return nullptr;
+    }
+};
+
+TEST_F(ManualTest, OpensAtTheToolOfTheView)
+{
+    takeKeyboard();
+    window.patternView().setFocus();
+    window.command("tool.sew")->trigger();
+    QTest::keyClick(&window.patternView(), Qt::Key_F1);
+    ASSERT_TRUE(manual());
+    EXPECT_TRUE(manual()->place().startsWith("sewing.md")) << manual()->place().toStdString();
+    // The same window goes on to another place, and back.
+    takeKeyboard();
+    window.patternView().setFocus();
+    window.command("tool.select")->trigger();
+    QTest::keyClick(&window.patternView(), Qt::Key_F1);
+    EXPECT_FALSE(manual()->place().startsWith("sewing.md"));
+    QTest::keyClick(manual(), Qt::Key_Left, Qt::AltModifier);
+    EXPECT_TRUE(manual()->place().startsWith("sewing.md"));
+}
+
+TEST_F(ManualTest, OpensOverADialog)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.command("file.export-pattern")->trigger();
+    QWidget* dialog = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        dialog = QApplication::activeWindow();
+        return dialog && dialog != &window;
+    }));
+    QTest::keyClick(dialog->focusWidget() ? dialog->focusWidget() : dialog, Qt::Key_F1);
+    ASSERT_TRUE(manual());
+    EXPECT_TRUE(manual()->place().startsWith("to-the-cutter.md")) << manual()->place().toStdString();
+    manual()->close();
+    dialog->close();
+}
+
+TEST_F(ManualTest, EveryPlaceIsAHeading)
+{
+    const QString folder = shippedFolder("manual");
+    ASSERT_FALSE(folder.isEmpty());
+    ManualWindow shown(folder);
+    const auto* text = shown.findChild<QTextBrowser*>();
+    int count = 0;
+    for (const char* const table : {"places.tsv", "warnings.tsv"}) {
+        QFile file(QDir(folder).filePath(table));
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        QStringList seen;
+        for (const QString& line : QString::fromUtf8(file.readAll()).split(u'\n')) {
+            const QString place = line.section(u'\t', -1);
+            if (line.startsWith(u'#') || !line.contains(u'\t') || seen.contains(place))
+                continue;
+            seen << place;
+            ++count;
+            shown.open(place);
+            EXPECT_TRUE(!place.contains(u'#') || text->textCursor().block().blockFormat().headingLevel() > 0)
+                << place.toStdString();
+        }
+    }
+    EXPECT_GT(count, 100);
+}
+
+} // namespace
+} // namespace bolster
