@@ -33,8 +33,8 @@ QString ManualPlaces::ofWidget(const QWidget* widget) const
 {
     for (; widget; widget = widget->parentWidget())
         for (const QMetaObject* kind = widget->metaObject(); kind; kind = kind->superClass())
-            if (const QString place = m_places.value(
-                    QString::fromLatin1(kind->className()).section(QStringLiteral("::"), -1));
+            if (const QString place =
+                    m_places.value(QString::fromLatin1(kind->className()).section(QStringLiteral("::"), -1));
                 !place.isEmpty())
                 return place;
     return {};

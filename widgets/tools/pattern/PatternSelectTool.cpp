@@ -4,6 +4,7 @@
 #include "HitSelection.h"
 #include "LabelDrag.h"
 #include "MarkDrag.h"
+#include "MouseStyle.h"
 #include "PatchEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
