@@ -5,6 +5,7 @@
 #include "Theme.h"
 
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QLocale>
 #include <QPagedPaintDevice>
 #include <QPainter>

@@ -84,7 +84,7 @@ QString unrestText()
                           "\u2022 A piece that nothing holds: fix one of its edges, or sew it on.\n"
                           "\u2022 A seam whose two sides differ much in length: make them more alike.\n"
                           "\u2022 A very long or very narrow piece: divide it, or make it wider.\n"
-                          "\u2022 High pressure: lower it in the properties of the design.\n"
+                          "\u2022 High pressure: lower it in the properties of the patch.\n"
                           "What you see is where the cloth was at the end.");
 }
 

@@ -5,6 +5,7 @@
 #include "MouseStyle.h"
 #include "NumberBox.h"
 #include "Translated.h"
+#include "Units.h"
 #include "ViewColors.h"
 #include "WholeFile.h"
 
@@ -24,6 +25,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 namespace bolster {
 

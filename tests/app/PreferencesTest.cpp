@@ -2,6 +2,7 @@
 #include "WindowTest.h"
 
 #include "ApplyPreferences.h"
+#include "Inspector.h"
 #include "KeyPresets.h"
 #include "NumberBox.h"
 #include "PreferencesWindow.h"
@@ -25,8 +26,8 @@ QVariant otherValue(const Preferences& now, const PreferenceRow& row)
         for (const PreferenceChoice& choice : form->choices())
             if (choice.id != valueOf(now, row))
                 return choice.id;
-    } else if (const auto* form = std::get_if<WholeNumber>(&row.form)) {
-        return form->most;
+    } else if (const auto* whole = std::get_if<WholeNumber>(&row.form)) {
+        return whole->most;
     } else if (std::holds_alternative<LengthNumber>(row.form)) {
         return 12.5;
     } else if (std::holds_alternative<OnOff>(row.form)) {

@@ -104,7 +104,7 @@ void Tour::addSteps()
             "most."),
          tr("The legend says how much, and the pointer reads it at any place."), [this] { pointAtMenu("view"); }},
         {Deed::OutlineChanged, tr("Change the pattern"),
-         tr("Drag a point of an outline, or cut a dart (Pattern > Cut a dart): what you change in the flat is sewn "
+         tr("Drag a point of an outline, or cut a dart (Pattern > Draw dart): what you change in the flat is sewn "
             "at "
             "once."),
          tr("Seams keep their places on an outline that changes."), pattern},

@@ -49,7 +49,7 @@ public:
     /// Opens the sample unless it is there; on where it was left.
     void start();
     void leave();
-    bool running() const { return m_panel != nullptr; }
+    bool running() const { return !m_panel.isNull(); }
     /// From 0 on.
     int step() const { return m_step; }
 
