@@ -163,27 +163,27 @@
     <name>CauseWindow</name>
     <message>
         <source>Foam is thicker or thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaum ist dicker oder dünner</translation>
     </message>
     <message>
         <source>Foam is harder or softer</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaum ist härter oder weicher</translation>
     </message>
     <message>
         <source>Allowance of a seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Zugabe einer Naht</translation>
     </message>
     <message>
         <source>Piece is larger or smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteil ist größer oder kleiner</translation>
     </message>
     <message>
         <source>Fixation lies elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixierung liegt anderswo</translation>
     </message>
     <message>
         <source>Seam is sewn shifted</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht ist versetzt genäht</translation>
     </message>
 </context>
 <context>
@@ -267,7 +267,7 @@
     </message>
     <message>
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt aus, Ziehen dreht – Ansicht verschieben: %1, zoomen: %2</translation>
     </message>
 </context>
 <context>
@@ -459,7 +459,7 @@
     </message>
     <message>
         <source>Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Laufende Arbeiten</translation>
     </message>
 </context>
 <context>
@@ -2022,7 +2022,7 @@
     </message>
     <message>
         <source>Print view …</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht drucken …</translation>
     </message>
 </context>
 <context>
@@ -2111,7 +2111,7 @@
     </message>
     <message>
         <source>%1, %2, %3</source>
-        <translation type="unfinished">%1, %2, %3</translation>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -2155,15 +2155,15 @@
     </message>
     <message>
         <source>“%1”: its edge is up to %2 away</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“: Die Kante ist bis zu %2 entfernt</translation>
     </message>
     <message>
         <source>“%1”: up to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“: bis zu %2</translation>
     </message>
     <message>
         <source>“%1”: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“: mehr als %2</translation>
     </message>
 </context>
 <context>
@@ -2625,15 +2625,15 @@
     </message>
     <message>
         <source>Move by %1, by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Um %1, um %2 verschieben</translation>
     </message>
     <message>
         <source>%1, or Space and drag</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 oder Leertaste und ziehen</translation>
     </message>
     <message>
         <source>%1, or drag beside the cover</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 oder neben dem Bezug ziehen</translation>
     </message>
 </context>
 <context>
@@ -2648,7 +2648,7 @@
     </message>
     <message>
         <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gestell ist groß: Die kleinste Einzelheit ist auf %1 gesetzt; die üblichen %2 würden zu viel Speicher brauchen.</translation>
     </message>
 </context>
 <context>
@@ -2719,42 +2719,42 @@
     </message>
     <message>
         <source>Relieve strain …</source>
-        <translation type="unfinished"></translation>
+        <translation>Dehnung abbauen …</translation>
     </message>
     <message>
         <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlägt Änderungen am Schnitt vor, wo der Stoff zu stark gedehnt ist, und sagt, was jede bringt</translation>
     </message>
     <message>
         <source>Why is it so? …</source>
-        <translation type="unfinished"></translation>
+        <translation>Woran liegt es? …</translation>
     </message>
     <message>
         <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Ursache am besten erklärt, wie weit der Scan eines gebauten Stücks vom Bezug abweicht</translation>
     </message>
     <message>
         <source>Tolerances …</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranzen …</translation>
     </message>
     <message>
         <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Bezug von Stück zu Stück schwankt, und auf welche Toleranz der Fertigung es ankommt</translation>
     </message>
 </context>
 <context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
-        <translation type="unfinished">Bolster</translation>
+        <translation>Bolster</translation>
     </message>
     <message>
         <source>Blender</source>
-        <translation type="unfinished"></translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>CLO, Marvelous Designer</source>
-        <translation type="unfinished"></translation>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2892,6 +2892,25 @@
     <message>
         <source>S&amp;can</source>
         <translation>S&amp;can</translation>
+    </message>
+</context>
+<context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>Die Seite zu dem, was Sie gerade tun</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>Das Handbuch ist nicht installiert.</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>Es ist ein Ordner „manual“ bei den übrigen Dateien des Programms.</translation>
     </message>
 </context>
 <context>
@@ -5755,78 +5774,78 @@
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist keine Datei mit Einstellungen: Sie bricht ab oder hat bei Zeichen %1 einen Fehler; wählen Sie eine, die Bolster exportiert hat</translation>
     </message>
     <message>
         <source>it is no file of preferences; choose one that Bolster has exported</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist keine Datei mit Einstellungen; wählen Sie eine, die Bolster exportiert hat</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat dort einen Wert, der nicht möglich ist; entfernen Sie diese Zeile aus der Datei, oder exportieren Sie die Datei neu</translation>
     </message>
     <message>
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“, wo ein portables Bolster Einstellungen und Arbeit ablegt, lässt sich nicht schreiben; kopieren Sie den Ordner von Bolster dorthin, wo Sie schreiben dürfen</translation>
     </message>
 </context>
 <context>
     <name>MouseStyle</name>
     <message>
         <source>Ctrl</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg</translation>
     </message>
     <message>
         <source>Alt</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt</translation>
     </message>
     <message>
         <source>middle button</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere Taste</translation>
     </message>
     <message>
         <source>right button</source>
-        <translation type="unfinished">rechte Taste</translation>
+        <translation>rechte Taste</translation>
     </message>
     <message>
         <source>drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen</translation>
     </message>
     <message>
         <source>two fingers</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Finger</translation>
     </message>
     <message>
         <source>pinch or Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Spreizen oder Strg+Mausrad</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation type="unfinished">Mausrad</translation>
+        <translation>Mausrad</translation>
     </message>
     <message>
         <source>Bolster</source>
-        <translation type="unfinished">Bolster</translation>
+        <translation>Bolster</translation>
     </message>
     <message>
         <source>CAD (like SolidWorks)</source>
-        <translation type="unfinished"></translation>
+        <translation>CAD (wie SolidWorks)</translation>
     </message>
     <message>
         <source>Blender</source>
-        <translation type="unfinished"></translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>CLO, Marvelous Designer</source>
-        <translation type="unfinished"></translation>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
     <message>
         <source>Touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>Touchpad</translation>
     </message>
 </context>
 <context>
@@ -6101,7 +6120,7 @@
     </message>
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt aus, ein aufgezogener Rahmen wählt mehrere aus – Ansicht verschieben: %1 oder Leertaste, zoomen: %2</translation>
     </message>
 </context>
 <context>
@@ -6200,321 +6219,321 @@
     </message>
     <message>
         <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Um x %1, y %2, z %3 verschoben – Strg rastet bei %4 ein, Escape bricht ab</translation>
     </message>
 </context>
 <context>
     <name>PreferenceCommands</name>
     <message>
         <source>Pre&amp;ferences …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten, Sprache, Farbschema, Maus, Tasten und mehr</translation>
     </message>
 </context>
 <context>
     <name>Preferences</name>
     <message>
         <source>Millimetres (314 mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter (314 mm)</translation>
     </message>
     <message>
         <source>Centimetres (31.4 cm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimeter (31,4 cm)</translation>
     </message>
     <message>
         <source>Inches (12 3/8″)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoll (12 3/8″)</translation>
     </message>
     <message>
         <source>Up to 1/8</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis 1/8</translation>
     </message>
     <message>
         <source>Up to 1/16</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis 1/16</translation>
     </message>
     <message>
         <source>Up to 1/32</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis 1/32</translation>
     </message>
     <message>
         <source>Up to 1/64</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis 1/64</translation>
     </message>
     <message>
         <source>Decimals (12.375)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dezimalen (12,375)</translation>
     </message>
     <message>
         <source>Of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in der Sprache</translation>
     </message>
     <message>
         <source>Comma (1,5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Komma (1,5)</translation>
     </message>
     <message>
         <source>Point (1.5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt (1.5)</translation>
     </message>
     <message>
         <source>Of the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache des Systems</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>High contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher Kontrast</translation>
     </message>
     <message>
         <source>Full</source>
-        <translation type="unfinished"></translation>
+        <translation>Voll</translation>
     </message>
     <message>
         <source>Reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>Verringert</translation>
     </message>
     <message>
         <source>Plain, as it comes</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfarbig, ohne Vorgabe</translation>
     </message>
     <message>
         <source>Units and numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten und Zahlen</translation>
     </message>
     <message>
         <source>Language and looks</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache und Aussehen</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus</translation>
     </message>
     <message>
         <source>Keyboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastatur</translation>
     </message>
     <message>
         <source>Pattern view</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittansicht</translation>
     </message>
     <message>
         <source>3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht</translation>
     </message>
     <message>
         <source>Unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Arbeit</translation>
     </message>
     <message>
         <source>New designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Entwürfe</translation>
     </message>
     <message>
         <source>Lengths in</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen in</translation>
     </message>
     <message>
         <source>unit measure metric imperial millimetre centimetre inch</source>
-        <translation type="unfinished"></translation>
+        <translation>einheit maß metrisch imperial millimeter zentimeter zoll inch</translation>
     </message>
     <message>
-        <source>How lengths are shown. Whatever it is, you may type others: &quot;3 in&quot;, &quot;2.5 cm&quot;, &quot;1&apos; 2 3/8\&quot;&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
-        <translation type="unfinished"></translation>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>Wie Längen angezeigt werden. Eingeben können Sie trotzdem auch andere: „3 in“, „2,5 cm“, „1&apos; 2 3/8&quot;“. Entwürfe bleiben in Millimetern, gedruckte Blätter und Dateien auch.</translation>
     </message>
     <message>
         <source>Parts of an inch</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile eines Zolls</translation>
     </message>
     <message>
         <source>fraction imperial 1/16 decimals</source>
-        <translation type="unfinished"></translation>
+        <translation>bruch brüche zoll imperial 1/16 dezimalen nachkommastellen</translation>
     </message>
     <message>
         <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigt wird der nächste Teil, gerundet wird dadurch nichts; was dafür zu kurz ist, hat Dezimalen.</translation>
     </message>
     <message>
         <source>Decimal sign</source>
-        <translation type="unfinished"></translation>
+        <translation>Dezimalzeichen</translation>
     </message>
     <message>
         <source>comma point dot separator numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>komma punkt trennzeichen dezimaltrennzeichen zahlen</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>translation words english german deutsch</source>
-        <translation type="unfinished"></translation>
+        <translation>übersetzung wörter englisch deutsch english language</translation>
     </message>
     <message>
         <source>Bolster speaks it when it is started the next time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolster spricht sie ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbschema</translation>
     </message>
     <message>
         <source>colours dark light contrast night appearance accessibility</source>
-        <translation type="unfinished"></translation>
+        <translation>farben design theme dunkel hell kontrast nacht dunkelmodus darstellung barrierefreiheit</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"> %</translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Size of the letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Schriftgröße</translation>
     </message>
     <message>
         <source>font text large small zoom scale accessibility</source>
-        <translation type="unfinished"></translation>
+        <translation>schrift text groß klein zoom skalierung barrierefreiheit</translation>
     </message>
     <message>
         <source>Move the views as in</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten bewegen wie in</translation>
     </message>
     <message>
         <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
-        <translation type="unfinished"></translation>
+        <translation>navigation drehen verschieben zoomen tasten trackpad touchpad orbit vorgabe</translation>
     </message>
     <message>
         <source>Zoom the other way round</source>
-        <translation type="unfinished"></translation>
+        <translation>Andersherum zoomen</translation>
     </message>
     <message>
         <source>invert wheel scroll reverse direction</source>
-        <translation type="unfinished"></translation>
+        <translation>umkehren invertieren mausrad scrollen richtung</translation>
     </message>
     <message>
         <source>Keys as in</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten wie in</translation>
     </message>
     <message>
         <source>shortcuts hotkeys preset</source>
-        <translation type="unfinished"></translation>
+        <translation>tastenkürzel tastenkombination shortcuts hotkeys vorgabe</translation>
     </message>
     <message>
         <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Befehle bekommen die Tasten, die Sie von dort kennen. Tasten, die Sie selbst gewählt haben, bleiben.</translation>
     </message>
     <message>
         <source>Snap to points, edges, guides and the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>An Punkten, Kanten, Hilfslinien und am Raster einrasten</translation>
     </message>
     <message>
         <source>magnet catch align</source>
-        <translation type="unfinished"></translation>
+        <translation>magnet fangen fang ausrichten einrasten</translation>
     </message>
     <message>
         <source>Ctrl or Alt lets go while you drag.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg oder Alt beim Ziehen setzt es aus.</translation>
     </message>
     <message>
         <source>Show rulers</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineale zeigen</translation>
     </message>
     <message>
         <source>scale measure</source>
-        <translation type="unfinished"></translation>
+        <translation>maßstab messen skala</translation>
     </message>
     <message>
         <source>Show guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinien zeigen</translation>
     </message>
     <message>
         <source>lines help</source>
-        <translation type="unfinished"></translation>
+        <translation>linien hilfe führungslinien</translation>
     </message>
     <message>
         <source>Quality of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildqualität</translation>
     </message>
     <message>
         <source>performance slow fast remote desktop graphics opengl</source>
-        <translation type="unfinished"></translation>
+        <translation>leistung langsam schnell fernzugriff remote desktop grafik opengl</translation>
     </message>
     <message>
         <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verringert: weniger Pixel und Dreiecke, keine weichen Schatten. Für langsame Rechner und für entfernte Bildschirme. Exportierte Bilder bleiben fein.</translation>
     </message>
     <message>
         <source>Go to other views at once, without a flight</source>
-        <translation type="unfinished"></translation>
+        <translation>Sofort zu anderen Ansichten wechseln, ohne Flug</translation>
     </message>
     <message>
         <source>reduced motion animation camera accessibility remote</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegung verringern animation kamera barrierefreiheit fernzugriff</translation>
     </message>
     <message>
         <source> days</source>
-        <translation type="unfinished"></translation>
+        <translation> Tage</translation>
     </message>
     <message>
         <source>Keep work that was thrown away for</source>
-        <translation type="unfinished"></translation>
+        <translation>Verworfene Arbeit aufheben für</translation>
     </message>
     <message>
         <source>autosave backup recovery crash journal bin unsaved delete</source>
-        <translation type="unfinished"></translation>
+        <translation>automatisch speichern sicherung wiederherstellung absturz journal papierkorb ungespeichert löschen</translation>
     </message>
     <message>
         <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Schritt liegt auf dem Datenträger, sobald er getan ist; ein Intervall ist nicht einzustellen. Nicht gespeicherte Arbeit bleibt, bis Sie sie wieder öffnen oder verwerfen; danach liegt sie mindestens 30 Tage im Papierkorb.</translation>
     </message>
     <message>
         <source>Fabric of new patches</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoff neuer Schnittteile</translation>
     </message>
     <message>
         <source>default material leather weave colour</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgabe standard material leder gewebe farbe</translation>
     </message>
     <message>
         <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein neuer Entwurf beginnt mit ihm, und Schnittteile entstehen aus dem ersten Stoff eines Entwurfs.</translation>
     </message>
     <message>
         <source>Seam allowance</source>
-        <translation type="unfinished">Nahtzugabe</translation>
+        <translation>Nahtzugabe</translation>
     </message>
     <message>
         <source>default cutting margin hem width</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgabe standard zuschnitt rand saum breite</translation>
     </message>
     <message>
         <source>New designs begin with it; in a design it is changed in its properties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Entwürfe beginnen mit ihr; in einem Entwurf wird sie in seinen Eigenschaften geändert.</translation>
     </message>
     <message>
         <source>Folder of your fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner Ihrer Stoffe</translation>
     </message>
     <message>
         <source>library directory path import export picture swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>bibliothek verzeichnis pfad import export bild muster</translation>
     </message>
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo Stoffe und ihre Bilder zuerst gesucht werden. Ohne Angabe ist es der Ordner des Entwurfs.</translation>
     </message>
 </context>
 <context>
@@ -7178,51 +7197,51 @@
     <name>StartCommands</name>
     <message>
         <source>Start pa&amp;ge</source>
-        <translation type="unfinished"></translation>
+        <translation>St&amp;artseite</translation>
     </message>
     <message>
         <source>New &amp;window</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Fens&amp;ter</translation>
     </message>
     <message>
         <source>No other window could be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es konnte kein weiteres Fenster geöffnet werden.</translation>
     </message>
     <message>
         <source>The system did not start the program again. Close some programs, and try once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das System hat das Programm nicht noch einmal gestartet. Schließen Sie einige Programme, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>&amp;Report a problem …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Problem melden …</translation>
     </message>
     <message>
         <source>What&apos;s &amp;new</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ist &amp;neu?</translation>
     </message>
     <message>
         <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist Bolster %1. Was neu ist, steht unter Hilfe &gt; Was ist neu?</translation>
     </message>
     <message>
         <source>Sh&amp;ow</source>
-        <translation type="unfinished">&amp;Zeigen</translation>
+        <translation>&amp;Zeigen</translation>
     </message>
     <message>
         <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gestell ist in der 3D-Ansicht. Zeichnen Sie darauf die Kurven, an denen der Stoff fixiert wird, oder das erste Schnittteil.</translation>
     </message>
     <message>
         <source>Draw a &amp;fixation curve</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fixierkurve zeichnen</translation>
     </message>
     <message>
         <source>Draw a &amp;rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechteck zeichnen</translation>
     </message>
     <message>
         <source>Pattern of a form …</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt aus einer Form …</translation>
     </message>
 </context>
 <context>
@@ -7263,106 +7282,106 @@
     <name>SweepWindow</name>
     <message>
         <source>&amp;Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuschnitt</translation>
     </message>
     <message>
         <source>Each piece is cut so much larger or smaller all around</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Schnittteil ist rundum um so viel größer oder kleiner zugeschnitten</translation>
     </message>
     <message>
         <source>Cut of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuschnitt von %1</translation>
     </message>
     <message>
         <source>S&amp;eams</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nähte</translation>
     </message>
     <message>
         <source>Each seam is sewn so much farther inside or outside, on both sides</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Naht ist um so viel weiter innen oder außen genäht, auf beiden Seiten</translation>
     </message>
     <message>
         <source>Seam %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht %1</translation>
     </message>
     <message>
         <source>&amp;Foam</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schaum</translation>
     </message>
     <message>
         <source>Each cushion and foam is so much thicker or thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Polsterung und jeder Schaum ist um so viel dicker oder dünner</translation>
     </message>
     <message>
         <source>Thickness of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke von %1</translation>
     </message>
     <message>
         <source>Fi&amp;xations</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fixierungen</translation>
     </message>
     <message>
         <source>Each fixation curve lies so much elsewhere, along each axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Fixierkurve liegt um so viel anderswo, entlang jeder Achse</translation>
     </message>
     <message>
         <source>Place of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage von %1</translation>
     </message>
     <message>
         <source>S&amp;tiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;teifigkeit</translation>
     </message>
     <message>
         <source>Each fabric is so much stiffer or softer</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Stoff ist um so viel steifer oder weicher</translation>
     </message>
     <message>
         <source>Stiffness of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit von %1</translation>
     </message>
     <message>
         <source>Sh&amp;rinkage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einlauf</translation>
     </message>
     <message>
         <source>Each piece shrinks or stretches by so much</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Schnittteil läuft um so viel ein oder dehnt sich</translation>
     </message>
     <message>
         <source>Shrinkage of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Einlauf von %1</translation>
     </message>
 </context>
 <context>
     <name>Templates</name>
     <message>
         <source>Cushion</source>
-        <translation type="unfinished">Polsterung</translation>
+        <translation>Kissen</translation>
     </message>
     <message>
         <source>Bolster</source>
-        <translation type="unfinished">Bolster</translation>
+        <translation>Polsterrolle</translation>
     </message>
     <message>
         <source>Bench</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzbank</translation>
     </message>
     <message>
         <source>Dining chair</source>
-        <translation type="unfinished"></translation>
+        <translation>Esszimmerstuhl</translation>
     </message>
     <message>
         <source>Wing chair</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohrensessel</translation>
     </message>
     <message>
         <source>Car seat</source>
-        <translation type="unfinished"></translation>
+        <translation>Autositz</translation>
     </message>
     <message>
         <source>Headrest</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopfstütze</translation>
     </message>
 </context>
 <context>
@@ -7448,99 +7467,99 @@
     <name>Tour</name>
     <message>
         <source>&amp;Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>R&amp;undgang</translation>
     </message>
     <message>
         <source>Drag a curve on the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kurve auf dem Gestell ziehen</translation>
     </message>
     <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
-        <translation type="unfinished"></translation>
+        <translation>An den farbigen Kurven auf dem Gestell ist der Stoff abgespannt. Klicken Sie eine davon an, und ziehen Sie dann an einem ihrer Punkte: Der Bezug folgt.</translation>
     </message>
     <message>
         <source>The cover follows while you drag, and comes to rest when you let go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bezug folgt beim Ziehen und kommt zur Ruhe, wenn Sie loslassen.</translation>
     </message>
     <message>
         <source>Take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücknehmen</translation>
     </message>
     <message>
         <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Z oder diese Schaltfläche nimmt alles zurück, was getan wurde, so weit Sie wollen. Verloren geht dabei nichts: Der Verlauf behält auch, was rückgängig gemacht wurde.</translation>
     </message>
     <message>
         <source>It is as it was. Undone steps are still in the history.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist, wie es war. Rückgängig gemachte Schritte stehen noch im Verlauf.</translation>
     </message>
     <message>
         <source>Choose a seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Naht auswählen</translation>
     </message>
     <message>
         <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähte verbinden zwei Kanten des Schnitts. Klicken Sie eine an, im Schnitt oder auf dem Bezug: Ihre beiden Kanten leuchten auf, und der Bezug zeigt, wo sie ist.</translation>
     </message>
     <message>
         <source>Its properties are at the right now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Eigenschaften stehen jetzt rechts.</translation>
     </message>
     <message>
         <source>Change how it is sewn</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern, wie sie genäht wird</translation>
     </message>
     <message>
         <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie bei ausgewählter Naht in ihren Eigenschaften einen anderen Übergang oder eine andere Steppung: mit Kante, gerundet oder glatt.</translation>
     </message>
     <message>
         <source>The cover shows the seam as it will be sewn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bezug zeigt die Naht, wie sie genäht wird.</translation>
     </message>
     <message>
         <source>Look at the strain</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dehnung ansehen</translation>
     </message>
     <message>
         <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht &gt; Karte färbt den Bezug danach, was der Stoff aushalten muss. Wählen Sie „Größte Dehnung“, um zu sehen, wo er am stärksten gedehnt ist.</translation>
     </message>
     <message>
         <source>The legend says how much, and the pointer reads it at any place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Legende sagt, wie viel es ist, und der Zeiger liest es an jeder Stelle ab.</translation>
     </message>
     <message>
         <source>Change the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schnitt ändern</translation>
     </message>
     <message>
-        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Cut a dart): what you change in the flat is sewn at once.</source>
-        <translation type="unfinished"></translation>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>Ziehen Sie an einem Punkt eines Umrisses, oder schneiden Sie einen Abnäher (Schnitt &gt; Abnäher zeichnen): Was Sie im Flachen ändern, wird sofort genäht.</translation>
     </message>
     <message>
         <source>Seams keep their places on an outline that changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähte behalten ihre Plätze auf einem Umriss, der sich ändert.</translation>
     </message>
     <message>
         <source>Take it with you</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitnehmen</translation>
     </message>
     <message>
         <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei &gt; Schnitt exportieren schreibt DXF, PDF oder SVG mit Nahtzugaben und Knipsen; Bezug exportieren schreibt den Bezug für andere.</translation>
     </message>
     <message>
         <source>The file is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist geschrieben.</translation>
     </message>
     <message>
         <source>That was the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Das war der Rundgang</translation>
     </message>
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie haben gesehen, wie aus Schnitt, Nähten und Gestell der Bezug wird. Beginnen Sie mit einem eigenen Entwurf: Datei &gt; Startseite hat Vorlagen. Was welche Taste tut, steht unter Hilfe &gt; Tasten und Maus.</translation>
     </message>
 </context>
 <context>
@@ -7675,15 +7694,15 @@
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>in</source>
-        <translation type="unfinished"></translation>
+        <translation>in</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7813,29 +7832,29 @@
     </message>
     <message>
         <source>&amp;High contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher &amp;Kontrast</translation>
     </message>
 </context>
 <context>
     <name>ViewPrint</name>
     <message>
         <source>Print the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht drucken</translation>
     </message>
     <message>
         <source>The view could not be printed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht konnte nicht gedruckt werden.</translation>
     </message>
     <message>
         <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drucker nimmt im Moment nichts an. Sehen Sie nach, ob er eingeschaltet ist und Papier hat, oder drucken Sie in eine Datei.</translation>
     </message>
 </context>
 <context>
     <name>WhatsNew</name>
     <message>
         <source>What&apos;s new</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ist neu?</translation>
     </message>
 </context>
 <context>
@@ -7871,110 +7890,110 @@
     <name>bolster::CauseWindow</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Why is it so?</source>
-        <translation type="unfinished"></translation>
+        <translation>Woran liegt es?</translation>
     </message>
     <message>
         <source>The scan of the piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan des Stücks</translation>
     </message>
     <message>
         <source>The scan of a sound piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan eines guten Stücks</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished">Keine</translation>
+        <translation>Keiner</translation>
     </message>
     <message>
         <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Von einem Stück, das so ist, wie es sein soll: Wo dieses vom Bezug abweicht, wird keine Ursache gesucht</translation>
     </message>
     <message>
         <source>Scan of the &amp;piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan des &amp;Stücks</translation>
     </message>
     <message>
         <source>Scan of a so&amp;und piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan eines &amp;guten Stücks</translation>
     </message>
     <message>
         <source>Look for the &amp;cause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ursache suchen</translation>
     </message>
     <message>
         <source>Looking for a cause …</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Ursache wird gesucht …</translation>
     </message>
     <message>
         <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagt, welche einzelne Ursache am besten erklärt, wie weit ein gebautes Stück vom Bezug abweicht: Schaum, Zugabe einer Naht, ein gedehntes Teil, eine Fixierung nicht an ihrem Platz, ein verrutschter Knips.</translation>
     </message>
     <message>
         <source>Cause</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursache</translation>
     </message>
     <message>
         <source>Amount</source>
-        <translation type="unfinished"></translation>
+        <translation>Betrag</translation>
     </message>
     <message>
         <source>Explains</source>
-        <translation type="unfinished"></translation>
+        <translation>Erklärt</translation>
     </message>
     <message>
         <source>Probability</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahrscheinlichkeit</translation>
     </message>
     <message>
         <source>Causes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursachen</translation>
     </message>
     <message>
         <source>Choose the scan of the piece that was built.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie den Scan des gebauten Stücks.</translation>
     </message>
     <message>
         <source>Covers with each cause are solved …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bezüge mit jeder Ursache werden berechnet …</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
         <source>The scan shows nothing of the cover: does it lie where the design is?</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan zeigt nichts vom Bezug: Liegt er dort, wo der Entwurf ist?</translation>
     </message>
     <message>
         <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan zeigt %1 des Bezugs und ist %2 von ihm entfernt (quadratisches Mittel). Alle Ursachen zusammen lassen %3 übrig.</translation>
     </message>
     <message>
         <source>No single cause explains that better than noise does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine einzelne Ursache erklärt das besser als Rauschen.</translation>
     </message>
     <message>
         <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der größte Teil der Abweichung hat keine Ursache dieser Arten, die erste muss also nicht die richtige sein: Geben Sie auch den Scan eines guten Stücks an.</translation>
     </message>
     <message numerus="yes">
         <source>and %n others</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
         </translation>
     </message>
     <message>
         <source>The scan does not tell it apart from: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan unterscheidet sie nicht von: %1</translation>
     </message>
     <message>
         <source>The design has changed meanwhile: look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu.</translation>
     </message>
 </context>
 <context>
@@ -8089,7 +8108,7 @@
     </message>
     <message>
         <source>Moved by x %1, y %2, z %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Um x %1, y %2, z %3 verschoben</translation>
     </message>
 </context>
 <context>
@@ -8160,23 +8179,23 @@
     <name>bolster::DropFlow</name>
     <message>
         <source>&quot;%1&quot; cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht öffnen.</translation>
     </message>
     <message>
         <source>The system did not start the program again for another window. Open it from here instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das System hat das Programm nicht noch einmal für ein weiteres Fenster gestartet. Öffnen Sie es stattdessen von hier aus.</translation>
     </message>
     <message>
         <source>It is a folder. Drop the files that are in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ein Ordner. Ziehen Sie die Dateien hierher, die darin liegen.</translation>
     </message>
     <message>
         <source>It is not on this computer, or not any more. Save it to a folder first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist nicht auf diesem Rechner, oder nicht mehr. Speichern Sie es zuerst in einem Ordner.</translation>
     </message>
     <message>
         <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolster öffnet Projekte und Entwürfe (%1), Gestelle (%2), Scans (%3), Schnitte (%4) und Bilder von Stoffen (%5). Speichern Sie es mit dem Programm, aus dem es stammt, in einem dieser Formate.</translation>
     </message>
 </context>
 <context>
@@ -8194,7 +8213,7 @@
     </message>
     <message>
         <source>Elements</source>
-        <translation type="unfinished">Elemente</translation>
+        <translation>Elemente</translation>
     </message>
 </context>
 <context>
@@ -8343,9 +8362,9 @@
     </message>
     <message numerus="yes">
         <source>%n pieces on %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Teil auf %1</numerusform>
+            <numerusform>%n Teile auf %1</numerusform>
         </translation>
     </message>
 </context>
@@ -8564,9 +8583,9 @@
     </message>
     <message numerus="yes">
         <source>%n points, %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Punkt, %1</numerusform>
+            <numerusform>%n Punkte, %1</numerusform>
         </translation>
     </message>
 </context>
@@ -9004,9 +9023,9 @@
     </message>
     <message numerus="yes">
         <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird nach %n Tag im Papierkorb gelöscht.</numerusform>
+            <numerusform>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird nach %n Tagen im Papierkorb gelöscht.</numerusform>
         </translation>
     </message>
 </context>
@@ -9137,11 +9156,11 @@
     </message>
     <message>
         <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei hat %1 Punkte. Das sind mehr, als zum Anpassen eines Bezugs nötig sind; sie wurden deshalb auf einen je %2 ausgedünnt.</translation>
     </message>
     <message>
         <source>It was %1 large and becomes %2: check the unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es war %1 groß und wird %2: Prüfen Sie die Einheit.</translation>
     </message>
 </context>
 <context>
@@ -9155,11 +9174,11 @@
     <name>bolster::FormChoice</name>
     <message>
         <source>A file …</source>
-        <translation type="unfinished">Eine Datei …</translation>
+        <translation>Eine Datei …</translation>
     </message>
     <message>
         <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation type="unfinished">Netze und Scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Alle Dateien (*)</translation>
+        <translation>Netze und Scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -9323,7 +9342,7 @@
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished">Verlauf</translation>
+        <translation>Verlauf</translation>
     </message>
 </context>
 <context>
@@ -9486,13 +9505,13 @@
     </message>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2</translation>
     </message>
     <message numerus="yes">
         <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Umriss ist offen: Seine Enden liegen bis zu %1 auseinander. Schließen Sie Lücken bis dahin, wenn es ein Umriss ist.</numerusform>
+            <numerusform>%n Umrisse sind offen: Ihre Enden liegen bis zu %1 auseinander. Schließen Sie Lücken bis dahin, wenn es Umrisse sind.</numerusform>
         </translation>
     </message>
 </context>
@@ -9500,11 +9519,11 @@
     <name>bolster::JobsPanel</name>
     <message>
         <source>Nothing is being worked at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird an nichts gearbeitet.</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
 </context>
 <context>
@@ -9550,27 +9569,62 @@
     </message>
     <message>
         <source>Bolster</source>
-        <translation type="unfinished">Bolster</translation>
+        <translation>Bolster</translation>
     </message>
     <message>
         <source>Bolster is still working at something.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolster arbeitet noch an etwas.</translation>
     </message>
     <message>
         <source>What is closed now is not finished; files that are being written stay as they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was jetzt geschlossen wird, wird nicht fertig; Dateien, die gerade geschrieben werden, bleiben, wie sie waren.</translation>
     </message>
     <message>
         <source>&amp;Stop it and close</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anhalten und schließen</translation>
     </message>
     <message>
         <source>x %1   y %2</source>
-        <translation type="unfinished"></translation>
+        <translation>x %1   y %2</translation>
     </message>
     <message>
         <source>x %1   y %2   z %3</source>
-        <translation type="unfinished"></translation>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Zurück (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Vor (Alt+Rechts)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>In allen Seiten suchen</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>Das Handbuch hat keine Seite „%1“.</translation>
     </message>
 </context>
 <context>
@@ -10148,63 +10202,63 @@
     </message>
     <message>
         <source>Fitting the pattern …</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt wird angepasst …</translation>
     </message>
     <message>
         <source>&amp;No folds in selected patches</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Keine Falten in ausgewählten Schnittteilen</translation>
     </message>
     <message>
         <source>No cloth of them is pressed together; none selected: all</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Stoff ist nirgends gestaucht; keine ausgewählt: alle</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished">Kurve</translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>The selected seam r&amp;uns along</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählte Naht läuft &amp;entlang</translation>
     </message>
     <message>
         <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kurve auf dem Gestell oder der Form; sie muss nichts halten</translation>
     </message>
     <message>
         <source>Share of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Fläche</translation>
     </message>
     <message>
         <source>Selected patches &amp;keep of their area</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Schnittteile &amp;behalten von ihrer Fläche</translation>
     </message>
     <message>
         <source>Less than 100 %: they become smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>Weniger als 100 %: Sie werden kleiner</translation>
     </message>
     <message>
         <source>Select the seam that shall run along the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie die Naht aus, die entlang der Kurve laufen soll.</translation>
     </message>
     <message>
         <source>Select the patches that shall become larger or smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie die Schnittteile aus, die größer oder kleiner werden sollen.</translation>
     </message>
     <message>
         <source>Changing the pattern …</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt wird geändert …</translation>
     </message>
     <message>
         <source>Pressed together: %1 before, %2 now</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestaucht: %1 vorher, %2 jetzt</translation>
     </message>
     <message>
         <source>From the curve: %1 before, %2 now (rms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Kurve entfernt: %1 vorher, %2 jetzt (quadratisches Mittel)</translation>
     </message>
     <message>
         <source>Off the area that is wanted: %1 before, %2 now</source>
-        <translation type="unfinished"></translation>
+        <translation>Neben der gewünschten Fläche: %1 vorher, %2 jetzt</translation>
     </message>
 </context>
 <context>
@@ -10222,225 +10276,232 @@
     <name>bolster::PreferencesWindow</name>
     <message>
         <source>Preferences (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen (*.json)</translation>
     </message>
     <message>
         <source>No setting has these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Einstellung hat diese Wörter.</translation>
     </message>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Find a setting</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung suchen</translation>
     </message>
     <message>
         <source>Pages</source>
-        <translation type="unfinished">Seiten</translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keiner</translation>
     </message>
     <message>
         <source>Choose …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen …</translation>
     </message>
     <message>
         <source>&amp;Edit single shortcuts …</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelne &amp;Tastenkürzel bearbeiten …</translation>
     </message>
     <message>
         <source>Back to &amp;defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf &amp;Vorgaben zurücksetzen</translation>
     </message>
     <message>
         <source>All settings of this page</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Einstellungen dieser Seite</translation>
     </message>
     <message>
         <source>E&amp;xport …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren …</translation>
     </message>
     <message>
         <source>&amp;Import …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Importieren …</translation>
     </message>
     <message>
         <source>Export preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen exportieren</translation>
     </message>
     <message>
         <source>Bolster preferences.json</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolster-Einstellungen.json</translation>
     </message>
     <message>
         <source>Import preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen importieren</translation>
     </message>
     <message>
         <source>The preferences could not be exported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen konnten nicht exportiert werden.</translation>
     </message>
     <message>
         <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus „%1“ wurde nichts importiert; alle Einstellungen sind, wie sie waren.</translation>
     </message>
     <message>
         <source>The preferences were imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen wurden importiert.</translation>
     </message>
     <message numerus="yes">
         <source>This version of Bolster does not know %n of them: %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Diese Version von Bolster kennt %n davon nicht: %1</numerusform>
+            <numerusform>Diese Version von Bolster kennt %n davon nicht: %1</numerusform>
         </translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished">Ansicht drehen</translation>
+        <translation>Ansicht drehen</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation type="unfinished">Ansicht verschieben</translation>
+        <translation>Ansicht verschieben</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished">Zoomen</translation>
+        <translation>Zoomen</translation>
     </message>
     <message>
         <source>In the 3D view</source>
-        <translation type="unfinished">In der 3D-Ansicht</translation>
+        <translation>In der 3D-Ansicht</translation>
     </message>
     <message>
         <source>In the pattern</source>
-        <translation type="unfinished">Im Schnitt</translation>
+        <translation>Im Schnitt</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1: was das bedeutet und was zu tun ist</translation>
     </message>
 </context>
 <context>
     <name>bolster::ReliefWindow</name>
     <message>
         <source>Relieve strain</source>
-        <translation type="unfinished"></translation>
+        <translation>Dehnung abbauen</translation>
     </message>
     <message>
         <source>&amp;Look for changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen &amp;suchen</translation>
     </message>
     <message>
         <source>Looking for what relieves strain …</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird gesucht, was Dehnung abbaut …</translation>
     </message>
     <message>
         <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo Stoff stärker gedehnt oder gestaucht ist, als er darf, werden Änderungen am Schnitt versucht und die besten berechnet.</translation>
     </message>
     <message>
         <source>Proposed changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgeschlagene Änderungen</translation>
     </message>
     <message>
         <source>Strain is at &amp;most</source>
-        <translation type="unfinished"></translation>
+        <translation>Die &amp;Dehnung ist höchstens</translation>
     </message>
     <message>
         <source>Else the limits of the fabrics count</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst gelten die Grenzen der Stoffe</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"> %</translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Limit of strain</source>
-        <translation type="unfinished">Dehnungsgrenze</translation>
+        <translation>Dehnungsgrenze</translation>
     </message>
     <message>
         <source>Edges move &amp;by at most</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kanten wandern höchstens um</translation>
     </message>
     <message>
         <source>Trying changes …</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen werden versucht …</translation>
     </message>
     <message>
         <source>Stopped; nothing has changed.</source>
-        <translation type="unfinished">Angehalten; nichts hat sich geändert.</translation>
+        <translation>Angehalten; nichts hat sich geändert.</translation>
     </message>
     <message>
         <source>Nothing is strained over the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist über die Grenze gedehnt.</translation>
     </message>
     <message>
         <source>%1 of the cover is over the limit. No change relieves it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 des Bezugs liegen über der Grenze. Keine Änderung baut das ab.</translation>
     </message>
     <message>
         <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede ist für sich berechnet; „Anwenden“ ist ein Schritt, den Rückgängig zurücknimmt.</translation>
     </message>
     <message>
         <source>As it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie es jetzt ist</translation>
     </message>
     <message>
         <source>%1 of the cover is over the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 des Bezugs liegen über der Grenze.</translation>
     </message>
     <message>
         <source>%1 less strain over the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weniger Dehnung über der Grenze</translation>
     </message>
     <message>
         <source>%1 more strain over the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mehr Dehnung über der Grenze</translation>
     </message>
     <message>
         <source>%1 less of the cover over it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weniger vom Bezug darüber</translation>
     </message>
     <message>
         <source>%1 more of the cover over it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mehr vom Bezug darüber</translation>
     </message>
     <message>
         <source>Sewn: %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>Genäht: %1 mehr</translation>
     </message>
     <message>
         <source>Sides of seams differ by %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahtseiten sind um %1 ungleicher</translation>
     </message>
     <message>
         <source>Outlines change by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Umrisse ändern sich um %1</translation>
     </message>
     <message>
         <source>Show where</source>
-        <translation type="unfinished"></translation>
+        <translation>Stelle zeigen</translation>
     </message>
     <message>
         <source>Make it</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Make it: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden: %1</translation>
     </message>
     <message>
         <source>Made. Undo takes it back; look again to see what helps now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angewendet. Rückgängig nimmt es zurück; suchen Sie neu, um zu sehen, was jetzt hilft.</translation>
     </message>
     <message>
         <source>The design has changed meanwhile: look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu.</translation>
     </message>
 </context>
 <context>
@@ -10615,93 +10676,93 @@
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Breite</translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>What was made</source>
-        <translation type="unfinished"></translation>
+        <translation>Was entstanden ist</translation>
     </message>
     <message>
         <source>Drawing %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gezeichnet …</translation>
     </message>
 </context>
 <context>
     <name>bolster::ReportDialog</name>
     <message>
         <source>Report a problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Problem melden</translation>
     </message>
     <message>
         <source>What did you do, what happened, and what should have happened?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was haben Sie getan, was ist passiert, und was hätte passieren sollen?</translation>
     </message>
     <message>
         <source>&amp;What happened:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Was passiert ist:</translation>
     </message>
     <message>
         <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Den &amp;Entwurf („%1“) beifügen, ohne Gestelle, Scans und Bilder</translation>
     </message>
     <message>
         <source>What the &amp;report says besides:</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der &amp;Bericht sonst enthält:</translation>
     </message>
     <message>
         <source>Write the report …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht schreiben …</translation>
     </message>
     <message>
         <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das schreibt eine Datei, die Sie denen geben können, die helfen können. Bolster sendet nichts.</translation>
     </message>
     <message>
         <source>not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht bekannt</translation>
     </message>
     <message>
         <source>Messages of this run:</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen seit dem Start:</translation>
     </message>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(keine)</translation>
     </message>
     <message>
         <source>The last crash:</source>
-        <translation type="unfinished"></translation>
+        <translation>Der letzte Absturz:</translation>
     </message>
     <message>
         <source>Write the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht schreiben</translation>
     </message>
     <message>
         <source>ZIP (*.zip)</source>
-        <translation type="unfinished"></translation>
+        <translation>ZIP (*.zip)</translation>
     </message>
     <message>
         <source>The report is written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bericht ist geschrieben: %1</translation>
     </message>
     <message>
         <source>The report could not be written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bericht konnte nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished">&amp;Anhalten</translation>
+        <translation>&amp;Anhalten</translation>
     </message>
 </context>
 <context>
@@ -10779,7 +10840,7 @@
     </message>
     <message>
         <source>%1 and %2</source>
-        <translation type="unfinished">%1 und %2</translation>
+        <translation>%1 und %2</translation>
     </message>
 </context>
 <context>
@@ -10873,7 +10934,7 @@
     </message>
     <message>
         <source>Seams</source>
-        <translation type="unfinished">Nähte</translation>
+        <translation>Nähte</translation>
     </message>
 </context>
 <context>
@@ -11037,7 +11098,7 @@
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle</translation>
     </message>
 </context>
 <context>
@@ -11164,95 +11225,95 @@
     <name>bolster::StartPage</name>
     <message>
         <source>Start page</source>
-        <translation type="unfinished"></translation>
+        <translation>Startseite</translation>
     </message>
     <message>
         <source>Welcome to Bolster</source>
-        <translation type="unfinished"></translation>
+        <translation>Willkommen bei Bolster</translation>
     </message>
     <message>
         <source>Take the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang beginnen</translation>
     </message>
     <message>
         <source>Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen …</translation>
     </message>
     <message>
         <source>Back to the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Entwurf</translation>
     </message>
     <message>
         <source>What do you have?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was haben Sie?</translation>
     </message>
     <message>
         <source>A frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gestell</translation>
     </message>
     <message>
         <source>The cover is fixed on it: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bezug wird daran fixiert: %1</translation>
     </message>
     <message>
         <source>A pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schnitt</translation>
     </message>
     <message>
         <source>Its pieces become the cover: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus seinen Teilen wird der Bezug: %1</translation>
     </message>
     <message>
         <source>A scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Scan</translation>
     </message>
     <message>
         <source>The cover is fitted to it: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bezug wird daran angepasst: %1</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished">Noch nichts</translation>
+        <translation>Noch nichts</translation>
     </message>
     <message>
         <source>Draw a rectangle, the first patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Rechteck zeichnen, das erste Schnittteil</translation>
     </message>
     <message>
         <source>Go on with</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiterarbeiten an</translation>
     </message>
     <message>
         <source>Clear this list</source>
-        <translation type="unfinished">Liste leeren</translation>
+        <translation>Liste leeren</translation>
     </message>
     <message>
         <source>Take it out of this list; the file stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dieser Liste nehmen; die Datei bleibt</translation>
     </message>
     <message>
         <source>Unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Arbeit</translation>
     </message>
     <message>
         <source>Kept for later, last edit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Für später aufgehoben, letzter Schritt %1</translation>
     </message>
     <message>
         <source>Left by a crash, last edit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Von einem Absturz übrig, letzter Schritt %1</translation>
     </message>
     <message>
         <source>Begin with a template</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Vorlage beginnen</translation>
     </message>
     <message>
         <source>Look at a sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Beispiel ansehen</translation>
     </message>
     <message>
         <source>It is not there now</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist jetzt nicht da</translation>
     </message>
 </context>
 <context>
@@ -11320,13 +11381,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
         <translation>Der Stoff hat sich bis zum Ende der Berechnung bewegt. Das liegt meist an einem davon:
 • Ein Teil, das nichts hält: Befestigen Sie eine Kante, oder nähen Sie es an.
 • Eine Naht, deren Seiten sehr verschieden lang sind: Gleichen Sie sie an.
 • Ein sehr langes oder sehr schmales Teil: Teilen Sie es, oder machen Sie es breiter.
-• Hoher Druck: Senken Sie ihn in den Eigenschaften des Entwurfs.
+• Hoher Druck: Senken Sie ihn in den Eigenschaften des Schnittteils.
 Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
     <message>
@@ -11346,133 +11407,133 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <name>bolster::SweepWindow</name>
     <message>
         <source>Tolerances</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranzen</translation>
     </message>
     <message>
         <source>&amp;Draw pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke z&amp;iehen</translation>
     </message>
     <message>
         <source>Solving pieces within tolerances …</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke innerhalb der Toleranzen werden berechnet …</translation>
     </message>
     <message>
         <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke werden zufällig innerhalb ihrer Toleranzen gezogen: Wo schwankt der Bezug, auf welche Toleranz kommt es an, wie viele Stücke liegen außerhalb der Grenze?</translation>
     </message>
     <message>
         <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem &amp;Bezug zeigen, was 95 % der Stücke nicht überschreiten</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Share of the variance</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil an der Varianz</translation>
     </message>
     <message>
         <source>Moves by at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Wandert höchstens um</translation>
     </message>
     <message>
         <source>Tolerances by their influence</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranzen nach ihrem Einfluss</translation>
     </message>
     <message>
         <source>Tolerances (±); 0: none</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranzen (±); 0: keine</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"> %</translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Pieces</source>
-        <translation type="unfinished">Teile</translation>
+        <translation>Stücke</translation>
     </message>
     <message>
         <source>Every size within is as likely</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Maß darin ist gleich wahrscheinlich</translation>
     </message>
     <message>
         <source>Normal: the tolerance is three standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalverteilt: Die Toleranz ist drei Standardabweichungen</translation>
     </message>
     <message>
         <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Davor werden zehntausend gezogen, als wären Bezüge linear; das dauert Sekunden</translation>
     </message>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Stück liegt außerhalb, wenn mehr als 5 % seines Bezugs weiter als das von ihrem Platz abweichen</translation>
     </message>
     <message>
         <source>Dr&amp;awn</source>
-        <translation type="unfinished"></translation>
+        <translation>Gez&amp;ogen</translation>
     </message>
     <message>
         <source>S&amp;olved</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;rechnet</translation>
     </message>
     <message>
         <source>&amp;Limit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Grenze</translation>
     </message>
     <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts schwankt: Geben Sie eine Toleranz über 0 für etwas an, das der Entwurf hat.</translation>
     </message>
     <message>
         <source>Covers with each tolerance are solved …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bezüge mit jeder Toleranz werden berechnet …</translation>
     </message>
     <message>
         <source>Stopped. What is shown is from linear covers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten. Gezeigt ist das Ergebnis linearer Bezüge.</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
         <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % der Stücke bleiben innerhalb von %1 (quadratisches Mittel über den Bezug), %2 an der stärksten Stelle.</translation>
     </message>
     <message>
         <source>Out of the limit: %1 of the pieces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Außerhalb der Grenze: %1 der Stücke.</translation>
     </message>
     <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gilt, als wären Bezüge linear; Stücke werden gerade berechnet …</translation>
     </message>
     <message>
         <source>That is as if covers were linear.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gilt, als wären Bezüge linear.</translation>
     </message>
     <message numerus="yes">
         <source>By %n solved pieces.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Nach %n berechnetem Stück.</numerusform>
+            <numerusform>Nach %n berechneten Stücken.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n pieces have no cover at rest on the same triangles.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Stück hat keinen ruhenden Bezug auf denselben Dreiecken.</numerusform>
+            <numerusform>%n Stücke haben keinen ruhenden Bezug auf denselben Dreiecken.</numerusform>
         </translation>
     </message>
     <message>
         <source>What 95 % of the pieces do not exceed</source>
-        <translation type="unfinished"></translation>
+        <translation>Was 95 % der Stücke nicht überschreiten</translation>
     </message>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Entwurf hat sich inzwischen geändert: Ziehen Sie die Stücke neu.</translation>
     </message>
 </context>
 <context>
@@ -11486,31 +11547,31 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <name>bolster::TourPanel</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished">Hinten</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Leave the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang verlassen</translation>
     </message>
     <message>
         <source>Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang</translation>
     </message>
     <message>
         <source>Help &gt; Tour goes on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe &gt; Rundgang macht hier weiter</translation>
     </message>
     <message>
         <source>Tour, %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang, %1 von %2</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>

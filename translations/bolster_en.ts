@@ -52,9 +52,9 @@
     <name>bolster::CauseWindow</name>
     <message numerus="yes">
         <source>and %n others</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>and %n other</numerusform>
+            <numerusform>and %n others</numerusform>
         </translation>
     </message>
 </context>
@@ -76,9 +76,9 @@
     </message>
     <message numerus="yes">
         <source>%n pieces on %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n piece on %1</numerusform>
+            <numerusform>%n pieces on %1</numerusform>
         </translation>
     </message>
 </context>
@@ -113,9 +113,9 @@
     <name>bolster::FieldText</name>
     <message numerus="yes">
         <source>%n points, %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n point, %1</numerusform>
+            <numerusform>%n points, %1</numerusform>
         </translation>
     </message>
 </context>
@@ -165,9 +165,9 @@
     </message>
     <message numerus="yes">
         <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>What can be read goes into a new project. What you do not want any more is deleted %n day after it was put into the bin.</numerusform>
+            <numerusform>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</numerusform>
         </translation>
     </message>
 </context>
@@ -230,9 +230,9 @@
     </message>
     <message numerus="yes">
         <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n outline is open: its ends are %1 apart. Close gaps up to that, if it is an outline.</numerusform>
+            <numerusform>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</numerusform>
         </translation>
     </message>
 </context>
@@ -260,9 +260,9 @@
     <name>bolster::PreferencesWindow</name>
     <message numerus="yes">
         <source>This version of Bolster does not know %n of them: %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>This version of Bolster does not know %n of them: %1</numerusform>
+            <numerusform>This version of Bolster does not know %n of them: %1</numerusform>
         </translation>
     </message>
 </context>
@@ -287,16 +287,16 @@
     <name>bolster::SweepWindow</name>
     <message numerus="yes">
         <source>By %n solved pieces.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>By %n solved piece.</numerusform>
+            <numerusform>By %n solved pieces.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n pieces have no cover at rest on the same triangles.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n piece has no cover at rest on the same triangles.</numerusform>
+            <numerusform>%n pieces have no cover at rest on the same triangles.</numerusform>
         </translation>
     </message>
 </context>

@@ -101,7 +101,7 @@
     </message>
     <message>
         <source>Type the true distance of the two points, for example 500 or 20 in.</source>
-        <translation>Escriba la distancia real entre los dos puntos, por ejemplo 500 o 20 in.</translation>
+        <translation>Escriba la distancia real entre los dos puntos, por ejemplo 500 o 20&#xa0;in.</translation>
     </message>
     <message>
         <source>Click the first of two points of the picture whose distance you know – Esc ends the tool</source>
@@ -157,6 +157,33 @@
     <message>
         <source>lies on %1</source>
         <translation>está encima de %1</translation>
+    </message>
+</context>
+<context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Espuma más gruesa o más fina</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Espuma más dura o más blanda</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Margen de una costura</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Pieza más grande o más pequeña</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fijación en otro lugar</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Costura cosida con desfase</translation>
     </message>
 </context>
 <context>
@@ -231,16 +258,16 @@
         <translation>Clic para seleccionar la pieza, arrastrar para girar la vista</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>Clic para seleccionar, arrastrar para girar — Mayús+botón central desplaza, la rueda amplía</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>Clic para seleccionar la curva, doble clic para añadir aquí un punto de control</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>Clic para seleccionar lo que hay aquí, arrastrar para girar la vista</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation>Clic para seleccionar, arrastrar para girar — %1 desplaza, %2 amplía</translation>
     </message>
 </context>
 <context>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>Revisión antes de cortar</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Tareas</translation>
     </message>
 </context>
 <context>
@@ -1118,7 +1149,7 @@
     </message>
     <message>
         <source>Checker, 20 mm</source>
-        <translation>Damero, 20 mm</translation>
+        <translation>Damero, 20&#xa0;mm</translation>
     </message>
     <message>
         <source>Plain</source>
@@ -1804,7 +1835,7 @@
     </message>
     <message>
         <source>10 mm</source>
-        <translation>10 mm</translation>
+        <translation>10&#xa0;mm</translation>
     </message>
     <message>
         <source>Automatic notches</source>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>Exportar c&amp;uerpo de espuma…</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation>Imprimir vista…</translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2067,16 +2102,16 @@
         <translation>Haga clic en el siguiente punto o escríbalo; Intro termina, C cierra — B la hace recta, Retroceso quita un punto</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>Haga clic en el siguiente punto o escríbalo; Intro termina, C cierra — recta de punto a punto, haya lo que haya en medio: B la hace suave por la superficie, Retroceso quita un punto</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>&amp;Cerrar la curva</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>«%1»: hasta %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>«%1»: más de %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2127,8 +2154,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>«%1»: su borde está a hasta %2 mm</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation>«%1»: su borde está a hasta %2</translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation>«%1»: hasta %2</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation>«%1»: más de %2</translation>
     </message>
 </context>
 <context>
@@ -2215,10 +2250,6 @@
     <message>
         <source>Mesh</source>
         <translation>Malla</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>Piece %1: %2</source>
@@ -2333,10 +2364,6 @@
         <translation>Añadir un punto de control</translation>
     </message>
     <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>Mover 1 mm, 10 mm</translation>
-    </message>
-    <message>
         <source>arrow keys, Shift+arrow keys</source>
         <translation>teclas de flecha, Mayús+teclas de flecha</translation>
     </message>
@@ -2345,28 +2372,12 @@
         <translation>Desplazar la vista</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>botón central, o Espacio y arrastrar</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>wheel</source>
-        <translation>rueda</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Girar la vista</translation>
-    </message>
-    <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>botón central, o arrastrar junto a la funda</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Mayús y botón central</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -2402,7 +2413,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Patches, seams</source>
@@ -2450,7 +2461,7 @@
     </message>
     <message>
         <source>%1 m², %2 m²</source>
-        <translation>%1 m², %2 m²</translation>
+        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
     </message>
     <message>
         <source>Turned triangles</source>
@@ -2490,7 +2501,7 @@
     </message>
     <message>
         <source>Strain: root mean square, 99 %, largest</source>
-        <translation>Deformación: media cuadrática, 99 %, máxima</translation>
+        <translation>Deformación: media cuadrática, 99&#xa0;%, máxima</translation>
     </message>
     <message>
         <source>double click on an outline or curve</source>
@@ -2602,7 +2613,7 @@
     </message>
     <message>
         <source>type it while dragging: 50, 30, 20, for sizes 300 x 200 or 120 %; Enter lets go</source>
-        <translation>escribirlo al arrastrar: 50, 30, 20, para tamaños 300 x 200 o 120 %; Intro suelta</translation>
+        <translation>escribirlo al arrastrar: 50, 30, 20, para tamaños 300 x 200 o 120&#xa0;%; Intro suelta</translation>
     </message>
     <message>
         <source>click edges; Shift+click collects several; Esc ends</source>
@@ -2611,6 +2622,18 @@
     <message>
         <source>right button, without a drag</source>
         <translation>botón derecho, sin arrastrar</translation>
+    </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation>Mover %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation>%1, o Espacio y arrastrar</translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation>%1, o arrastrar junto a la funda</translation>
     </message>
 </context>
 <context>
@@ -2624,8 +2647,8 @@
         <translation>Espuma</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>Este armazón es grande: su detalle mínimo se pone en %1 mm; los %2 mm habituales necesitarían demasiada memoria.</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation>Este armazón es grande: su detalle mínimo se pone en %1; el habitual, de %2, necesitaría demasiada memoria.</translation>
     </message>
 </context>
 <context>
@@ -2693,6 +2716,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>Cambia el patrón hasta que la funda se ajuste a un escaneo o esté menos deformada</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation>Aliviar la deformación…</translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation>Propone cambios en el patrón donde la tela se deforma demasiado, con lo que mejora cada uno</translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation>¿Por qué es así?…</translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation>Qué causa explica mejor cuánto se aparta de la funda el escaneo de una pieza fabricada</translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation>Tolerancias…</translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation>Dónde varía la funda de pieza a pieza y qué tolerancia de fabricación importa</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +2895,25 @@
     </message>
 </context>
 <context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manual</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>La página sobre lo que está haciendo</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>El manual no está instalado.</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>Es una carpeta «manual» junto a los demás archivos del programa.</translation>
+    </message>
+</context>
+<context>
     <name>MapCommands</name>
     <message>
         <source>&amp;Map</source>
@@ -2937,7 +3018,7 @@
     </message>
     <message>
         <source>point %1 is no number or beyond 1e7 mm</source>
-        <translation>el punto %1 no es un número o supera 1e7 mm</translation>
+        <translation>el punto %1 no es un número o supera 1e7&#xa0;mm</translation>
     </message>
     <message>
         <source>corners belong to closed curves of degree 3 only</source>
@@ -3013,7 +3094,7 @@
     </message>
     <message>
         <source>the text is larger than %1 MB; that is no design</source>
-        <translation>el texto ocupa más de %1 MB; eso no es un diseño</translation>
+        <translation>el texto ocupa más de %1&#xa0;MB; eso no es un diseño</translation>
     </message>
     <message>
         <source>knot %1 occurs more often than %2 times, the degree; remove the surplus ones</source>
@@ -3057,7 +3138,7 @@
     </message>
     <message>
         <source>%1: the point is not finite, or beyond 10,000,000</source>
-        <translation>%1: el punto no es finito o supera 10 000 000</translation>
+        <translation>%1: el punto no es finito o supera 10&#xa0;000&#xa0;000</translation>
     </message>
     <message>
         <source>%1: a face refers to point %2, but there are %3 points</source>
@@ -3181,7 +3262,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is too large: %2 MB, and at most %3 MB are read</source>
-        <translation>«%1» es demasiado grande: %2 MB; se leen como máximo %3 MB</translation>
+        <translation>«%1» es demasiado grande: %2&#xa0;MB; se leen como máximo %3&#xa0;MB</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is write-protected</source>
@@ -3201,11 +3282,11 @@
     </message>
     <message>
         <source>%1 and %2 hold the same point of the cover in two places, %3 mm apart. Let both curves meet there, or end one stretch earlier.</source>
-        <translation>%1 y %2 sujetan el mismo punto de la funda en dos lugares, a %3 mm uno de otro. Haga que ambas curvas se encuentren allí o termine antes un tramo.</translation>
+        <translation>%1 y %2 sujetan el mismo punto de la funda en dos lugares, a %3&#xa0;mm uno de otro. Haga que ambas curvas se encuentren allí o termine antes un tramo.</translation>
     </message>
     <message>
         <source>the patch is too narrow somewhere for edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>la pieza es demasiado estrecha en algún punto para aristas de %1 mm. Elija una longitud de arista menor.</translation>
+        <translation>la pieza es demasiado estrecha en algún punto para aristas de %1&#xa0;mm. Elija una longitud de arista menor.</translation>
     </message>
     <message>
         <source>The design cannot be solved: %2</source>
@@ -3221,7 +3302,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by an estimated %2 mm. Allow more iterations.</source>
-        <translation>Tras %1 iteraciones la superficie aún se mueve unos %2 mm. Permita más iteraciones.</translation>
+        <translation>Tras %1 iteraciones la superficie aún se mueve unos %2&#xa0;mm. Permita más iteraciones.</translation>
     </message>
     <message>
         <source>Remove %1 points</source>
@@ -3497,7 +3578,7 @@
     </message>
     <message>
         <source>an edge length of %1 mm is used instead</source>
-        <translation>en su lugar se usa una longitud de arista de %1 mm</translation>
+        <translation>en su lugar se usa una longitud de arista de %1&#xa0;mm</translation>
     </message>
     <message>
         <source>the file is not a design</source>
@@ -3541,7 +3622,7 @@
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
-        <translation>%1 mm darían más de 5 millones de triángulos; use al menos %2 mm para estas piezas</translation>
+        <translation>%1&#xa0;mm darían más de 5 millones de triángulos; use al menos %2&#xa0;mm para estas piezas</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
@@ -3549,7 +3630,7 @@
     </message>
     <message>
         <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
-        <translation>la malla no puede resolver pliegues tan pequeños como los que hace una longitud de flexión de %1 mm: con aristas de %2 mm actúa como %3 mm; use una longitud de arista de %4 mm como máximo o una longitud de flexión mayor</translation>
+        <translation>la malla no puede resolver pliegues tan pequeños como los que hace una longitud de flexión de %1&#xa0;mm: con aristas de %2&#xa0;mm actúa como %3&#xa0;mm; use una longitud de arista de %4&#xa0;mm como máximo o una longitud de flexión mayor</translation>
     </message>
     <message>
         <source>an outline must be a closed curve</source>
@@ -3597,7 +3678,7 @@
     </message>
     <message>
         <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
-        <translation>los lados de la costura miden %1 mm («%2») y %3 mm («%4»): %5 % de embebido; con más del 5 % se frunce; iguálelos o revise los extremos de los tramos</translation>
+        <translation>los lados de la costura miden %1&#xa0;mm («%2») y %3&#xa0;mm («%4»): %5&#xa0;% de embebido; con más del 5&#xa0;% se frunce; iguálelos o revise los extremos de los tramos</translation>
     </message>
     <message>
         <source>the curve has no length; move its points apart</source>
@@ -3633,11 +3714,11 @@
     </message>
     <message>
         <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
-        <translation>es %1, pero debe ser una longitud positiva de %2 como máximo; lo habitual son 12 mm</translation>
+        <translation>es %1, pero debe ser una longitud positiva de %2 como máximo; lo habitual son 12&#xa0;mm</translation>
     </message>
     <message>
         <source>no mesh can resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take a longer bending length</source>
-        <translation>ninguna malla puede resolver pliegues tan pequeños como los que hace una longitud de flexión de %1 mm: con aristas de %2 mm actúa como %3 mm; use una longitud de flexión mayor</translation>
+        <translation>ninguna malla puede resolver pliegues tan pequeños como los que hace una longitud de flexión de %1&#xa0;mm: con aristas de %2&#xa0;mm actúa como %3&#xa0;mm; use una longitud de flexión mayor</translation>
     </message>
     <message>
         <source>it sews what %1 sews already; remove one of them</source>
@@ -3661,7 +3742,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
-        <translation>Tras %1 iteraciones la superficie aún se mueve %2 mm en cada una: no llega al reposo. Baje la presión o haga las curvas tan largas como los contornos que sujetan.</translation>
+        <translation>Tras %1 iteraciones la superficie aún se mueve %2&#xa0;mm en cada una: no llega al reposo. Baje la presión o haga las curvas tan largas como los contornos que sujetan.</translation>
     </message>
     <message>
         <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
@@ -3717,7 +3798,7 @@
     </message>
     <message>
         <source>a width of %1 mm is too narrow for edges of %2 mm; make it at least %3 mm wide, or choose a smaller edge length</source>
-        <translation>un ancho de %1 mm es demasiado estrecho para aristas de %2 mm; póngale al menos %3 mm o elija una longitud de arista menor</translation>
+        <translation>un ancho de %1&#xa0;mm es demasiado estrecho para aristas de %2&#xa0;mm; póngale al menos %3&#xa0;mm o elija una longitud de arista menor</translation>
     </message>
     <message>
         <source>it lies outside its patch; move its points inside the outline</source>
@@ -3733,7 +3814,7 @@
     </message>
     <message>
         <source>it bends too sharply for a width of %1 mm near %2; make it narrower, or bend it less there</source>
-        <translation>se curva demasiado para un ancho de %1 mm cerca de %2; hágala más estrecha o cúrvela menos allí</translation>
+        <translation>se curva demasiado para un ancho de %1&#xa0;mm cerca de %2; hágala más estrecha o cúrvela menos allí</translation>
     </message>
     <message>
         <source>a cushion takes at most %1 bodies of foam; this one is left out</source>
@@ -3745,7 +3826,7 @@
     </message>
     <message>
         <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
-        <translation>solo mide %1 mm; dibújela de al menos %2 mm o elija una longitud de arista menor</translation>
+        <translation>solo mide %1&#xa0;mm; dibújela de al menos %2&#xa0;mm o elija una longitud de arista menor</translation>
     </message>
     <message>
         <source>it reaches beyond its patch near %1; move its points inside the outline</source>
@@ -3753,19 +3834,19 @@
     </message>
     <message>
         <source>it comes closer than %1 mm to the outline near %2; keep away from it, or choose a smaller edge length</source>
-        <translation>se acerca a menos de %1 mm del contorno cerca de %2; apártela o elija una longitud de arista menor</translation>
+        <translation>se acerca a menos de %1&#xa0;mm del contorno cerca de %2; apártela o elija una longitud de arista menor</translation>
     </message>
     <message>
         <source>it crosses %1, or comes closer to it than %2 mm, near %3; move them apart, or choose a smaller edge length</source>
-        <translation>cruza %1, o se le acerca a menos de %2 mm, cerca de %3; sepárelas o elija una longitud de arista menor</translation>
+        <translation>cruza %1, o se le acerca a menos de %2&#xa0;mm, cerca de %3; sepárelas o elija una longitud de arista menor</translation>
     </message>
     <message>
         <source>it crosses itself, or comes closer to itself than %1 mm, near %2; move its points apart, or choose a smaller edge length</source>
-        <translation>se cruza, o se acerca a sí misma a menos de %1 mm, cerca de %2; separe sus puntos o elija una longitud de arista menor</translation>
+        <translation>se cruza, o se acerca a sí misma a menos de %1&#xa0;mm, cerca de %2; separe sus puntos o elija una longitud de arista menor</translation>
     </message>
     <message>
         <source>the patch cannot be triangulated along it with edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>la pieza no se puede triangular a lo largo de ella con aristas de %1 mm. Elija una longitud de arista menor.</translation>
+        <translation>la pieza no se puede triangular a lo largo de ella con aristas de %1&#xa0;mm. Elija una longitud de arista menor.</translation>
     </message>
     <message>
         <source>Change the frame of %1</source>
@@ -3889,7 +3970,7 @@
     </message>
     <message>
         <source>with this scale and position the points reach beyond 10,000,000 mm</source>
-        <translation>con esta escala y posición los puntos superan los 10 000 000 mm</translation>
+        <translation>con esta escala y posición los puntos superan los 10&#xa0;000&#xa0;000&#xa0;mm</translation>
     </message>
     <message>
         <source>Add scan %1</source>
@@ -4069,7 +4150,7 @@
     </message>
     <message>
         <source>They are no mirror images: they differ by %1 mm. Twins must be alike; make a mirror twin of one of them instead.</source>
-        <translation>No son imágenes especulares: difieren en %1 mm. Los gemelos deben ser iguales; cree mejor un gemelo simétrico de uno de ellos.</translation>
+        <translation>No son imágenes especulares: difieren en %1&#xa0;mm. Los gemelos deben ser iguales; cree mejor un gemelo simétrico de uno de ellos.</translation>
     </message>
     <message>
         <source>Make a mirror twin of %1</source>
@@ -4097,7 +4178,7 @@
     </message>
     <message>
         <source>The sides of the seam differ by %1 % in length, more than 5 %.</source>
-        <translation>Los lados de la costura difieren en longitud un %1 %, más del 5 %.</translation>
+        <translation>Los lados de la costura difieren en longitud un %1&#xa0;%, más del 5&#xa0;%.</translation>
     </message>
     <message>
         <source>Select the seam along which to merge.</source>
@@ -4629,7 +4710,7 @@
     </message>
     <message>
         <source>this changes more at once than can be stored: at most %1 MB, and %2 keys; do it in parts</source>
-        <translation>esto cambia de una vez más de lo que se puede guardar: como máximo %1 MB y %2 claves; hágalo por partes</translation>
+        <translation>esto cambia de una vez más de lo que se puede guardar: como máximo %1&#xa0;MB y %2 claves; hágalo por partes</translation>
     </message>
     <message>
         <source>&quot;%1&quot; unpacks to more than any project; it was not made by Bolster, or is damaged</source>
@@ -4665,23 +4746,23 @@
     </message>
     <message>
         <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
-        <translation>el contacto mira el armazón en pasos de %1 mm; algo de estas partes es más fino, así que la funda puede atravesarlo: %2; hágalo más grueso</translation>
+        <translation>el contacto mira el armazón en pasos de %1&#xa0;mm; algo de estas partes es más fino, así que la funda puede atravesarlo: %2; hágalo más grueso</translation>
     </message>
     <message>
         <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
-        <translation>el contacto no hace nada: en pasos de %1 mm no encuentra ningún interior del armazón, que es más fino o tan abierto que no lo tiene; cierre el armazón o hágalo más grueso</translation>
+        <translation>el contacto no hace nada: en pasos de %1&#xa0;mm no encuentra ningún interior del armazón, que es más fino o tan abierto que no lo tiene; cierre el armazón o hágalo más grueso</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 está estirada un %2 % al hilo; su tela admite un %3 %</translation>
+        <translation>%1 está estirada un %2&#xa0;% al hilo; su tela admite un %3&#xa0;%</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 está estirada un %2 % a contrahilo; su tela admite un %3 %</translation>
+        <translation>%1 está estirada un %2&#xa0;% a contrahilo; su tela admite un %3&#xa0;%</translation>
     </message>
     <message>
         <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 tiene una cizalladura del %2 %; su tela admite un %3 %</translation>
+        <translation>%1 tiene una cizalladura del %2&#xa0;%; su tela admite un %3&#xa0;%</translation>
     </message>
     <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
@@ -4693,11 +4774,11 @@
     </message>
     <message>
         <source>%1 holds the cloth %2 mm off the frame</source>
-        <translation>%1 mantiene la tela a %2 mm del armazón</translation>
+        <translation>%1 mantiene la tela a %2&#xa0;mm del armazón</translation>
     </message>
     <message>
         <source>The seam of %1 and %2 has %3 % ease: it puckers above %4 %</source>
-        <translation>La costura de %1 y %2 tiene un %3 % de embebido: por encima del %4 % se frunce</translation>
+        <translation>La costura de %1 y %2 tiene un %3&#xa0;% de embebido: por encima del %4&#xa0;% se frunce</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations.</source>
@@ -4705,7 +4786,7 @@
     </message>
     <message>
         <source>The surface ran away after %1 iterations: %2 holds it %3 mm from everything else. Bring that curve nearer.</source>
-        <translation>La superficie se disparó tras %1 iteraciones: %2 la sujeta a %3 mm de todo lo demás. Acerque esa curva.</translation>
+        <translation>La superficie se disparó tras %1 iteraciones: %2 la sujeta a %3&#xa0;mm de todo lo demás. Acerque esa curva.</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: %1 is degenerate or its numbers are too large. Check its outline and its fabric.</source>
@@ -4809,15 +4890,15 @@
     </message>
     <message>
         <source>a smallest detail of %1 mm is too fine for a frame as large as this (%2 million cubes of it, and %3 are the limit), so the cushion is left out; take at least %4 mm</source>
-        <translation>un detalle mínimo de %1 mm es demasiado fino para un armazón tan grande (%2 millones de cubos, y el límite son %3), así que el acolchado se omite; use al menos %4 mm</translation>
+        <translation>un detalle mínimo de %1&#xa0;mm es demasiado fino para un armazón tan grande (%2 millones de cubos, y el límite son %3), así que el acolchado se omite; use al menos %4&#xa0;mm</translation>
     </message>
     <message>
         <source>something of these parts of the frame is thinner than the smallest detail of the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail</source>
-        <translation>algo de estas partes del armazón es más fino que el detalle mínimo del acolchado, %1 mm, así que puede tener huecos allí: %2; use un detalle menor</translation>
+        <translation>algo de estas partes del armazón es más fino que el detalle mínimo del acolchado, %1&#xa0;mm, así que puede tener huecos allí: %2; use un detalle menor</translation>
     </message>
     <message>
         <source>it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is thinner than that, or so open that it has none; take a smaller detail, or close the frame</source>
-        <translation>no empuja nada: con un detalle mínimo de %1 mm no hay interior del armazón, que es más fino o tan abierto que no lo tiene; use un detalle menor o cierre el armazón</translation>
+        <translation>no empuja nada: con un detalle mínimo de %1&#xa0;mm no hay interior del armazón, que es más fino o tan abierto que no lo tiene; use un detalle menor o cierre el armazón</translation>
     </message>
     <message>
         <source>Change the slanted faces of %1</source>
@@ -4845,7 +4926,7 @@
     </message>
     <message>
         <source>a notch of %1 mm reaches the sewing line, which is %2 mm away: make it shallower, or the allowance wider</source>
-        <translation>un piquete de %1 mm llega a la línea de costura, que está a %2 mm: hágalo menos profundo o amplíe el margen</translation>
+        <translation>un piquete de %1&#xa0;mm llega a la línea de costura, que está a %2&#xa0;mm: hágalo menos profundo o amplíe el margen</translation>
     </message>
     <message>
         <source>nothing is sewn where it is, so it has no partner</source>
@@ -4857,7 +4938,7 @@
     </message>
     <message>
         <source>it is %1 mm wide across the grain, but &quot;%2&quot; only %3 mm: split it, or turn its grain</source>
-        <translation>mide %1 mm a contrahilo, pero «%2» solo %3 mm: divídala o gire su sentido del hilo</translation>
+        <translation>mide %1&#xa0;mm a contrahilo, pero «%2» solo %3&#xa0;mm: divídala o gire su sentido del hilo</translation>
     </message>
     <message>
         <source>an inner corner of %1 degrees is too sharp for its seam allowances: make them smaller there, or the corner wider</source>
@@ -4981,19 +5062,19 @@
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>sus lados miden %1 mm y %2 mm: iguale la costura o indique en sus propiedades cuánto embebido se desea</translation>
+        <translation>sus lados miden %1&#xa0;mm y %2&#xa0;mm: iguale la costura o indique en sus propiedades cuánto embebido se desea</translation>
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
-        <translation>sus lados miden %1 mm y %2 mm, pero el segundo debe medir %3 mm más: iguale la costura o cambie el embebido en sus propiedades</translation>
+        <translation>sus lados miden %1&#xa0;mm y %2&#xa0;mm, pero el segundo debe medir %3&#xa0;mm más: iguale la costura o cambie el embebido en sus propiedades</translation>
     </message>
     <message>
         <source>The mouth of a dart must be at least 1 mm wide.</source>
-        <translation>La abertura de una pinza debe medir al menos 1 mm.</translation>
+        <translation>La abertura de una pinza debe medir al menos 1&#xa0;mm.</translation>
     </message>
     <message>
         <source>The tip of a dart must lie inside its patch, at least 5 mm from its mouth.</source>
-        <translation>El vértice de una pinza debe estar dentro de su pieza, al menos a 5 mm de su abertura.</translation>
+        <translation>El vértice de una pinza debe estar dentro de su pieza, al menos a 5&#xa0;mm de su abertura.</translation>
     </message>
     <message>
         <source>The legs of the dart would cross the outline of %1: put its tip elsewhere.</source>
@@ -5037,7 +5118,7 @@
     </message>
     <message>
         <source>%1: the file is larger than a pattern can be (%2 MB)</source>
-        <translation>%1: el archivo es mayor de lo que puede ser un patrón (%2 MB)</translation>
+        <translation>%1: el archivo es mayor de lo que puede ser un patrón (%2&#xa0;MB)</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a group code of DXF</source>
@@ -5081,7 +5162,7 @@
     </message>
     <message>
         <source>A dart is rotated to a place at least 5 mm from its mouth.</source>
-        <translation>Una pinza se traslada a un lugar situado al menos a 5 mm de su abertura.</translation>
+        <translation>Una pinza se traslada a un lugar situado al menos a 5&#xa0;mm de su abertura.</translation>
     </message>
     <message>
         <source>The line from the tip of the dart to there would leave %1.</source>
@@ -5129,7 +5210,7 @@
     </message>
     <message>
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
-        <translation>sus lados tienen márgenes de %1 mm y %2 mm: iguálelos o téngalo en cuenta al superponerlos</translation>
+        <translation>sus lados tienen márgenes de %1&#xa0;mm y %2&#xa0;mm: iguálelos o téngalo en cuenta al superponerlos</translation>
     </message>
     <message>
         <source>This edge of %1 is not as long as that.</source>
@@ -5137,11 +5218,11 @@
     </message>
     <message>
         <source>the pattern is so large that the edge length of its triangles becomes %1 mm; is the unit right?</source>
-        <translation>el patrón es tan grande que la longitud de arista de sus triángulos pasa a ser %1 mm; ¿es correcta la unidad?</translation>
+        <translation>el patrón es tan grande que la longitud de arista de sus triángulos pasa a ser %1&#xa0;mm; ¿es correcta la unidad?</translation>
     </message>
     <message>
         <source>%1 is left out: it is %2 m large, the most is %3 m; is the unit right?</source>
-        <translation>%1 se omite: mide %2 m y el máximo son %3 m; ¿es correcta la unidad?</translation>
+        <translation>%1 se omite: mide %2&#xa0;m y el máximo son %3&#xa0;m; ¿es correcta la unidad?</translation>
     </message>
     <message>
         <source>%1 is left out: its outline has fewer than three points</source>
@@ -5153,7 +5234,7 @@
     </message>
     <message>
         <source>%1: its outline has more than %2 points and is simplified, by %3 mm at most</source>
-        <translation>%1: su contorno tiene más de %2 puntos y se simplifica, %3 mm como máximo</translation>
+        <translation>%1: su contorno tiene más de %2 puntos y se simplifica, %3&#xa0;mm como máximo</translation>
     </message>
     <message>
         <source>%1: its quantity &quot;%2&quot; is no number of pieces; it is cut once until somebody says how often</source>
@@ -5165,7 +5246,7 @@
     </message>
     <message>
         <source>%1: %2 drill holes are narrower than %3 mm or wider than %4 mm and become as wide as possible</source>
-        <translation>%1: %2 taladros miden menos de %3 mm o más de %4 mm y pasan a la medida posible</translation>
+        <translation>%1: %2 taladros miden menos de %3&#xa0;mm o más de %4&#xa0;mm y pasan a la medida posible</translation>
     </message>
     <message>
         <source>%1 is left out: it would be a patch with mistakes</source>
@@ -5221,7 +5302,7 @@
     </message>
     <message>
         <source>the cover is %1 mm thick and has %2 cm³</source>
-        <translation>la funda tiene un grosor de %1 mm y %2 cm³</translation>
+        <translation>la funda tiene un grosor de %1&#xa0;mm y %2&#xa0;cm³</translation>
     </message>
     <message>
         <source>there is no room for foam between the frame and the cover</source>
@@ -5229,7 +5310,7 @@
     </message>
     <message>
         <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
-        <translation>la espuma tiene %1 l y pesa %2 kg a %3 kg/m³</translation>
+        <translation>la espuma tiene %1&#xa0;l y pesa %2&#xa0;kg a %3&#xa0;kg/m³</translation>
     </message>
     <message>
         <source>there are neither fixation curves nor seams</source>
@@ -5385,7 +5466,7 @@
     </message>
     <message>
         <source>%1: the part &quot;%2&quot; reaches beyond 10,000,000; export it without that part, or near the origin</source>
-        <translation>%1: la parte «%2» supera 10 000 000; exporte sin esa parte o cerca del origen</translation>
+        <translation>%1: la parte «%2» supera 10&#xa0;000&#xa0;000; exporte sin esa parte o cerca del origen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs the file &quot;%2&quot; in its own folder; copy it there, or export as GLB, which is one file</source>
@@ -5469,7 +5550,7 @@
     </message>
     <message>
         <source>99 % of its surface is within %1 mm</source>
-        <translation>el 99 % de su superficie está dentro de %1 mm</translation>
+        <translation>el 99&#xa0;% de su superficie está dentro de %1&#xa0;mm</translation>
     </message>
     <message>
         <source>it reaches beyond its piece: end it at the edge</source>
@@ -5481,7 +5562,7 @@
     </message>
     <message>
         <source>only %1 mm are left of the piece at the tip of a dart: make it shorter</source>
-        <translation>solo quedan %1 mm de pieza en el vértice de una pinza: acórtela</translation>
+        <translation>solo quedan %1&#xa0;mm de pieza en el vértice de una pinza: acórtela</translation>
     </message>
     <message>
         <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
@@ -5493,7 +5574,7 @@
     </message>
     <message>
         <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
-        <translation>%1: su línea de corte está %2 mm por fuera de su línea de costura, más de lo que admite un margen; allí pasa a ser %3 mm</translation>
+        <translation>%1: su línea de corte está %2&#xa0;mm por fuera de su línea de costura, más de lo que admite un margen; allí pasa a ser %3&#xa0;mm</translation>
     </message>
     <message>
         <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
@@ -5501,7 +5582,7 @@
     </message>
     <message>
         <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Colocar sobre la funda con %2 mm RMS: %1 (emparejado el %3 % de sus puntos)</translation>
+        <translation>Colocar sobre la funda con %2&#xa0;mm RMS: %1 (emparejado el %3&#xa0;% de sus puntos)</translation>
     </message>
     <message>
         <source>The scan could not be placed: it is too far from the cover. Align it by three places, or cut away what does not belong to it.</source>
@@ -5509,7 +5590,7 @@
     </message>
     <message>
         <source>Align to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Alinear con %2 mm RMS: %1 (emparejado el %3 % de sus puntos)</translation>
+        <translation>Alinear con %2&#xa0;mm RMS: %1 (emparejado el %3&#xa0;% de sus puntos)</translation>
     </message>
     <message>
         <source>Import the pattern of %1</source>
@@ -5517,11 +5598,11 @@
     </message>
     <message>
         <source>%1: a gap of %2 mm in its outline is closed by a straight line</source>
-        <translation>%1: un hueco de %2 mm en su contorno se cierra con una recta</translation>
+        <translation>%1: un hueco de %2&#xa0;mm en su contorno se cierra con una recta</translation>
     </message>
     <message>
         <source>%1: its cut line is drawn anew from its allowances, and differs from that of the file by up to %2 mm</source>
-        <translation>%1: su línea de corte se dibuja de nuevo a partir de sus márgenes y difiere de la del archivo hasta %2 mm</translation>
+        <translation>%1: su línea de corte se dibuja de nuevo a partir de sus márgenes y difiere de la del archivo hasta %2&#xa0;mm</translation>
     </message>
     <message>
         <source>the size &quot;%1&quot; of the page is in no unit that is known and is left out: check the size of the pieces</source>
@@ -5537,11 +5618,11 @@
     </message>
     <message>
         <source>one piece of less than 1 cm³ is left out</source>
-        <translation>se omite un trozo de menos de 1 cm³</translation>
+        <translation>se omite un trozo de menos de 1&#xa0;cm³</translation>
     </message>
     <message>
         <source>%1 pieces of less than 1 cm³ are left out</source>
-        <translation>se omiten %1 trozos de menos de 1 cm³</translation>
+        <translation>se omiten %1 trozos de menos de 1&#xa0;cm³</translation>
     </message>
     <message>
         <source>Change whether the cover fits %1</source>
@@ -5601,15 +5682,15 @@
     </message>
     <message>
         <source>The form has %1 triangles; %2 stand for it, which are up to %3 mm off</source>
-        <translation>La forma tiene %1 triángulos; la representan %2, con una diferencia de hasta %3 mm</translation>
+        <translation>La forma tiene %1 triángulos; la representan %2, con una diferencia de hasta %3&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 está a %2 mm de la forma: no se corta por ahí</translation>
+        <translation>%1 está a %2&#xa0;mm de la forma: no se corta por ahí</translation>
     </message>
     <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
-        <translation>%1 termina dentro de una pieza, en %2: allí se corta como una pinza. La línea o el borde siguiente está a %3 mm; prolónguela hasta allí para dividir la pieza</translation>
+        <translation>%1 termina dentro de una pieza, en %2: allí se corta como una pinza. La línea o el borde siguiente está a %3&#xa0;mm; prolónguela hasta allí para dividir la pieza</translation>
     </message>
     <message>
         <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
@@ -5641,39 +5722,39 @@
     </message>
     <message>
         <source>Make %1 longer by %3 mm where it is sewn to %2</source>
-        <translation>Alargar %1 %3 mm donde está cosido a %2</translation>
+        <translation>Alargar %1 %3&#xa0;mm donde está cosido a %2</translation>
     </message>
     <message>
         <source>Make %1 shorter by %3 mm where it is sewn to %2</source>
-        <translation>Acortar %1 %3 mm donde está cosido a %2</translation>
+        <translation>Acortar %1 %3&#xa0;mm donde está cosido a %2</translation>
     </message>
     <message>
         <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Soltar %1 en %2 %3 mm</translation>
+        <translation>Soltar %1 en %2 %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Meter %1 en %2 %3 mm</translation>
+        <translation>Meter %1 en %2 %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
-        <translation>Mover la costura de %1 y %2 %3 mm hacia %2</translation>
+        <translation>Mover la costura de %1 y %2 %3&#xa0;mm hacia %2</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %1</source>
-        <translation>Mover la costura de %1 y %2 %3 mm hacia %1</translation>
+        <translation>Mover la costura de %1 y %2 %3&#xa0;mm hacia %1</translation>
     </message>
     <message>
         <source>Let out the corner of %1 at %2 by %3 mm</source>
-        <translation>Soltar la esquina de %1 en %2 %3 mm</translation>
+        <translation>Soltar la esquina de %1 en %2 %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in the corner of %1 at %2 by %3 mm</source>
-        <translation>Meter la esquina de %1 en %2 %3 mm</translation>
+        <translation>Meter la esquina de %1 en %2 %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Cut a dart into %1 at %2, %3 mm wide and %4 mm deep</source>
-        <translation>Cortar una pinza en %1 en %2, de %3 mm de ancho y %4 mm de profundidad</translation>
+        <translation>Cortar una pinza en %1 en %2, de %3&#xa0;mm de ancho y %4&#xa0;mm de profundidad</translation>
     </message>
     <message>
         <source>Make the seam of %1 and %2 smooth</source>
@@ -5690,6 +5771,81 @@
     <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 no tiene longitud: no se corta por ahí</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation>no es un archivo de preferencias: se interrumpe o tiene un error en el carácter %1; elija uno que haya exportado Bolster</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation>no es un archivo de preferencias; elija uno que haya exportado Bolster</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation>«%1» no puede tener el valor que tiene ahí; quite esa línea del archivo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation>«%1», donde un Bolster portátil guarda los ajustes y el trabajo, no se puede escribir; copie la carpeta de Bolster a un lugar donde pueda escribir</translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>botón central</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>botón derecho</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>arrastrar</translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation>dos dedos</translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation>pellizco o Ctrl+rueda</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>rueda</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation>CAD (como SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Panel táctil</translation>
     </message>
 </context>
 <context>
@@ -5877,11 +6033,11 @@
     </message>
     <message>
         <source>Print at 100 %</source>
-        <translation>Imprimir al 100 %</translation>
+        <translation>Imprimir al 100&#xa0;%</translation>
     </message>
     <message>
         <source>%1 – print at 100 %</source>
-        <translation>%1 — imprimir al 100 %</translation>
+        <translation>%1 — imprimir al 100&#xa0;%</translation>
     </message>
     <message>
         <source>Overview of %1 x %2 sheets</source>
@@ -5897,7 +6053,7 @@
     </message>
     <message>
         <source>100 mm: to measure, no part of the pattern</source>
-        <translation>100 mm: para medir, no es parte del patrón</translation>
+        <translation>100&#xa0;mm: para medir, no es parte del patrón</translation>
     </message>
     <message>
         <source>Sheet %1 (row %2 of %3, column %4 of %5)</source>
@@ -5921,10 +6077,6 @@
     <message>
         <source>Click to select the patch, drag to move it in the layout</source>
         <translation>Clic para seleccionar la pieza, arrastrar para moverla en la disposición</translation>
-    </message>
-    <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>Clic para seleccionar, arrastrar un marco para seleccionar varios — botón central o Espacio desplaza, la rueda amplía</translation>
     </message>
     <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
@@ -5965,6 +6117,10 @@
     <message>
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>Arrastre la etiqueta a donde se pueda leer, clic para seleccionar la pieza</translation>
+    </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation>Clic para seleccionar, arrastrar un marco para seleccionar varios — %1 o Espacio desplaza, %2 amplía</translation>
     </message>
 </context>
 <context>
@@ -6014,7 +6170,7 @@
     </message>
     <message>
         <source>Enter makes it this size: 300 x 200, 300 (wide, in proportion), or 120 %</source>
-        <translation>Intro le da este tamaño: 300 x 200, 300 (ancho, en proporción) o 120 %</translation>
+        <translation>Intro le da este tamaño: 300 x 200, 300 (ancho, en proporción) o 120&#xa0;%</translation>
     </message>
     <message>
         <source>Scaled to %1 × %2 – or type the size; Shift keeps the proportions, Esc takes it back</source>
@@ -6050,10 +6206,6 @@
         <translation>Girado %1° — Ctrl ajusta a 15°, Esc cancela</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>Movido x %1, y %2, z %3 mm — Ctrl ajusta a 10 mm, Esc cancela</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>Arrastre para moverlo a lo largo de este eje</translation>
     </message>
@@ -6064,6 +6216,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>Arrastre para moverlo en paralelo a la imagen</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation>Movido x %1, y %2, z %3 — Ctrl ajusta a %4, Esc cancela</translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation>Pre&amp;ferencias…</translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation>Unidades, idioma, tema, ratón, teclas y más</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation>Milímetros (314&#xa0;mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation>Centímetros (31,4&#xa0;cm)</translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation>Pulgadas (12 3/8″)</translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation>Hasta 1/8</translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation>Hasta 1/16</translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation>Hasta 1/32</translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation>Hasta 1/64</translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation>Decimales (12,375)</translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation>Del idioma</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>Coma (1,5)</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>Punto (1.5)</translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation>Del sistema</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Alto contraste</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Completa</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reducida</translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation>Lisa, la predeterminada</translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation>Unidades y números</translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation>Idioma y aspecto</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Ratón</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Teclado</translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation>Vista del patrón</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vista 3D</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation>Diseños nuevos</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Longitudes en</translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation>unidad medida métrico imperial milímetros centímetros pulgadas mm cm longitud</translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>Cómo se muestran las longitudes. En todo caso puede escribir otras: «3&#xa0;in», «2,5&#xa0;cm», «1&apos; 2 3/8&quot;». Los diseños conservan los milímetros, igual que las hojas impresas y los archivos.</translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation>Fracciones de pulgada</translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation>fracción imperial 1/16 decimales pulgada</translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation>Se muestra la fracción más próxima, sin redondear nada; lo que es demasiado corto para ella lleva decimales.</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Separador decimal</translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation>coma punto separador decimales números signo</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation>traducción palabras inglés alemán español english lengua</translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation>Vale desde el próximo inicio de Bolster.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation>colores oscuro claro contraste noche aspecto accesibilidad</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation>Tamaño de letra</translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation>fuente tipografía texto grande pequeño zoom escala accesibilidad</translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation>Mover las vistas como en</translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation>navegación girar rotar desplazar zoom botones panel táctil trackpad órbita preajuste</translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation>Zoom en sentido inverso</translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation>invertir rueda desplazamiento contrario dirección</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>Teclas como en</translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation>atajos teclado teclas rápidas preajuste</translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation>Algunos comandos reciben las teclas que ya conoce de allí. Las que haya elegido usted se conservan.</translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation>Ajustar a puntos, bordes, guías y cuadrícula</translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation>imán atraer alinear ajuste snap</translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation>Ctrl o Alt lo suspende mientras se arrastra.</translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation>Mostrar reglas</translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation>escala medida regla</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Mostrar guías</translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation>líneas ayuda guía</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>Calidad de la imagen</translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation>rendimiento lento rápido escritorio remoto gráficos opengl</translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation>Reducida: menos píxeles y triángulos, sin sombras suaves. Para equipos lentos y pantallas remotas. Las imágenes exportadas conservan su calidad.</translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation>Pasar a otras vistas al instante, sin recorrido</translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation>movimiento reducido animación cámara accesibilidad remoto</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> días</translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation>Conservar el trabajo desechado durante</translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation>autoguardado copia de seguridad recuperación fallo registro papelera sin guardar eliminar</translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation>Cada paso está en el disco en cuanto se hace, así que no hay intervalo que ajustar. El trabajo sin guardar se conserva hasta que lo abra de nuevo o lo deseche; después queda en la papelera al menos 30 días.</translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation>Tela de las piezas nuevas</translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation>predeterminado material piel cuero tejido color</translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation>Un diseño nuevo empieza con ella, y las piezas se hacen con la primera tela del diseño.</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Margen de costura</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation>predeterminado corte margen dobladillo ancho</translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation>Los diseños nuevos empiezan con él; en un diseño se cambia en sus propiedades.</translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation>Carpeta de sus telas</translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation>biblioteca directorio carpeta ruta importar exportar imagen muestra</translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation>Dónde se buscan primero las telas y sus imágenes. Si no hay ninguna, es la carpeta del diseño.</translation>
     </message>
 </context>
 <context>
@@ -6262,7 +6732,7 @@
     </message>
     <message>
         <source>Median, 95 %</source>
-        <translation>Mediana, 95 %</translation>
+        <translation>Mediana, 95&#xa0;%</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -6314,7 +6784,7 @@
     </message>
     <message>
         <source>Half of what is measured, and 95 % of it, is no farther from the scan than that.</source>
-        <translation>La mitad de lo medido, y el 95 %, no están más lejos del escaneo que eso.</translation>
+        <translation>La mitad de lo medido, y el 95&#xa0;%, no están más lejos del escaneo que eso.</translation>
     </message>
     <message>
         <source>How much of the cover has points of the scan near it.</source>
@@ -6416,7 +6886,7 @@
     </message>
     <message>
         <source>%1, %2 m² in all</source>
-        <translation>%1, %2 m² en total</translation>
+        <translation>%1, %2&#xa0;m² en total</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -6424,7 +6894,7 @@
     </message>
     <message>
         <source>%1, %2 m in all</source>
-        <translation>%1, %2 m en total</translation>
+        <translation>%1, %2&#xa0;m en total</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -6545,11 +7015,11 @@
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1 × %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 m²</source>
-        <translation>%1 m²</translation>
+        <translation>%1&#xa0;m²</translation>
     </message>
     <message>
         <source>Piece</source>
@@ -6577,11 +7047,11 @@
     </message>
     <message>
         <source>%1 mm long, %2 mm from the seam</source>
-        <translation>de %1 mm, a %2 mm de la costura</translation>
+        <translation>de %1&#xa0;mm, a %2&#xa0;mm de la costura</translation>
     </message>
     <message>
         <source>piping, %1 mm thick</source>
-        <translation>vivo, %1 mm de grosor</translation>
+        <translation>vivo, %1&#xa0;mm de grosor</translation>
     </message>
     <message>
         <source>plain</source>
@@ -6621,7 +7091,7 @@
     </message>
     <message>
         <source>%1 m², without what lies between the pieces</source>
-        <translation>%1 m², sin lo que queda entre las piezas</translation>
+        <translation>%1&#xa0;m², sin lo que queda entre las piezas</translation>
     </message>
     <message>
         <source>Sewing thread</source>
@@ -6629,11 +7099,11 @@
     </message>
     <message>
         <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
-        <translation>Hilo de pespunte &lt;span style=&quot;background-color:%1&quot;&gt;    &lt;/span&gt; %1</translation>
+        <translation>Hilo de pespunte &lt;span style=&quot;background-color:%1&quot;&gt;&#xa0;&#xa0;&#xa0;&#xa0;&lt;/span&gt; %1</translation>
     </message>
     <message>
         <source>%1 m, at %2 m for each metre of a row</source>
-        <translation>%1 m, a %2 m por metro de fila</translation>
+        <translation>%1&#xa0;m, a %2&#xa0;m por metro de fila</translation>
     </message>
     <message>
         <source>Piping</source>
@@ -6641,7 +7111,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>What</source>
@@ -6724,6 +7194,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>Página inicia&amp;l</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nueva &amp;ventana</translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation>No se pudo abrir otra ventana.</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation>El sistema no inició de nuevo el programa. Cierre algunos programas e inténtelo otra vez.</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation>&amp;Informar de un problema…</translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation>&amp;Novedades</translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation>Este es Bolster %1. Las novedades están en Ayuda &gt; Novedades.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation>El armazón está en la vista 3D. Dibuje en él las curvas donde se fija la tela, o la primera pieza.</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation>Dibujar curva de &amp;fijación</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation>Dibujar &amp;rectángulo</translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation>Patrón de una forma…</translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6755,6 +7276,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>&amp;Datos…</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>Co&amp;rte</translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation>Cada pieza se corta ese tanto más grande o más pequeña por todo el contorno</translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation>Corte de %1</translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation>Cos&amp;turas</translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation>Cada costura se cose ese tanto más adentro o más afuera, en ambos lados</translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation>Costura %1</translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation>Esp&amp;uma</translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation>Cada acolchado y espuma es ese tanto más grueso o más fino</translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation>Grosor de %1</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation>F&amp;ijaciones</translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation>Cada curva de fijación se desplaza ese tanto, a lo largo de cada eje</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Lugar de %1</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation>Rigide&amp;z</translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation>Cada tela es ese tanto más rígida o más blanda</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Rigidez de %1</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation>E&amp;ncogimiento</translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation>Cada pieza encoge o se alarga ese tanto</translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation>Encogimiento de %1</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation>Cojín</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Cojín cilíndrico</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Banco</translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation>Silla de comedor</translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation>Sillón orejero</translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation>Asiento de coche</translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation>Reposacabezas</translation>
     </message>
 </context>
 <context>
@@ -6834,6 +7461,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>Dibujar pin&amp;za</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Recorrido</translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation>Arrastre una curva del armazón</translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation>Las curvas de color en el armazón indican dónde se fija la tela. Haga clic en una y arrastre después uno de sus puntos: la funda lo sigue.</translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation>La funda sigue mientras arrastra y se asienta cuando suelta.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Deshágalo</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation>Ctrl+Z, o este botón, deshace lo que se haya hecho, hasta donde quiera. No se pierde nada: el historial también conserva lo deshecho.</translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation>Está como estaba. Los pasos deshechos siguen en el historial.</translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation>Elija una costura</translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation>Las costuras unen dos bordes del patrón. Haga clic en una, en el patrón o en la funda: sus dos bordes se iluminan y la funda muestra dónde está.</translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation>Ahora sus propiedades están a la derecha.</translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation>Cambie cómo se cose</translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation>Con la costura seleccionada, elija en sus propiedades otra continuidad u otro pespunte: una arista, una costura redondeada o una suave.</translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation>La funda muestra la costura tal como se coserá.</translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation>Mire la deformación</translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation>Ver &gt; Mapa colorea la funda según lo que soporta la tela. Elija Deformación máxima para ver dónde está más estirada.</translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation>La leyenda dice cuánto, y el puntero lo lee en cualquier lugar.</translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation>Cambie el patrón</translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>Arrastre un punto de un contorno o corte una pinza (Patrón &gt; Dibujar pinza): lo que cambie en plano se cose al momento.</translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation>Las costuras conservan su lugar en un contorno que cambia.</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>Lléveselo</translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation>Archivo &gt; Exportar patrón escribe DXF, PDF o SVG con márgenes de costura y piquetes; Exportar funda escribe la funda para otros.</translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation>El archivo está escrito.</translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation>Fin del recorrido</translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation>Ha visto cómo el patrón, las costuras y el armazón forman la funda. Empiece con un diseño propio: en Archivo &gt; Página inicial hay plantillas. Qué hace cada tecla está en Ayuda &gt; Teclado y ratón.</translation>
     </message>
 </context>
 <context>
@@ -6956,11 +7682,7 @@
     <name>Units</name>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6968,7 +7690,19 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7078,7 +7812,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Frames and foam</source>
@@ -7095,6 +7829,32 @@
     <message>
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>Seleccione piezas, curvas, armazones, espuma o escaneos para ocultarlos.</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Alto contraste</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation>Imprimir vista</translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation>No se pudo imprimir la vista.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation>La impresora no acepta nada en este momento. Compruebe que está encendida y tiene papel, o imprima en un archivo.</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation>Novedades</translation>
     </message>
 </context>
 <context>
@@ -7124,6 +7884,116 @@
     <message>
         <source>Drawn in software</source>
         <translation>Dibujado por software</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation>¿Por qué es así?</translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation>El escaneo de la pieza</translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation>El escaneo de una pieza correcta</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation>De una pieza que está como debe: donde también ella se aparta de la funda no se busca ninguna causa</translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation>Escaneo de la &amp;pieza</translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation>Escaneo de una pieza c&amp;orrecta</translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation>&amp;Buscar la causa</translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation>Buscando una causa…</translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation>Dice qué única causa explica mejor cuánto se aparta de la funda una pieza fabricada: espuma, margen de una costura, pieza estirada, fijación fuera de lugar, piquete desplazado.</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Magnitud</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>Explica</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>Probabilidad</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Causas</translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation>Elija el escaneo de la pieza fabricada.</translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation>Calculando las fundas con cada causa…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Detenido.</translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation>El escaneo no muestra nada de la funda: ¿está donde está el diseño?</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation>El escaneo muestra el %1 de la funda y está a %2 (RMS) de ella. Todas las causas juntas dejan %3.</translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation>Ninguna causa única lo explica mejor que el ruido.</translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation>La mayor parte de la desviación no tiene causa de estos tipos, así que la primera puede no ser la correcta: indique también el escaneo de una pieza correcta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation>El escaneo no la distingue de: %1</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>El diseño ha cambiado entretanto: busque de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -7221,10 +8091,6 @@
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>Movido x %1, y %2, z %3 mm</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>Sujeto a un eje; la misma tecla lo libera</translation>
     </message>
@@ -7239,6 +8105,10 @@
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X, Y, Z o Mayús fijan un eje, S lo mantiene en el armazón, Ctrl separa, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation>Movido x %1, y %2, z %3</translation>
     </message>
 </context>
 <context>
@@ -7306,6 +8176,29 @@
     </message>
 </context>
 <context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation>No se puede abrir «%1».</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation>El sistema no inició de nuevo el programa para otra ventana. Ábralo desde aquí.</translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation>Es una carpeta. Suelte los archivos que contiene.</translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation>No está en este equipo, o ya no. Guárdelo antes en una carpeta.</translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation>Bolster abre proyectos y diseños (%1), armazones (%2), escaneos (%3), patrones (%4) e imágenes de telas (%5). Guárdelo en uno de estos formatos con el programa de origen.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsModel</name>
     <message>
         <source>Hidden in the 3D view</source>
@@ -7317,6 +8210,10 @@
     <message>
         <source>Find an element</source>
         <translation>Buscar un elemento</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementos</translation>
     </message>
 </context>
 <context>
@@ -7359,7 +8256,7 @@
     </message>
     <message>
         <source>Roll, %1 mm wide</source>
-        <translation>Rollo, %1 mm de ancho</translation>
+        <translation>Rollo, %1&#xa0;mm de ancho</translation>
     </message>
     <message>
         <source>&amp;Landscape</source>
@@ -7422,13 +8319,6 @@
         <translation>T&amp;aladros</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n pieza en %1 x %2 mm</numerusform>
-            <numerusform>%n piezas en %1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n página</numerusform>
@@ -7469,6 +8359,13 @@
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
         <translation>Un doble clic sale de esta ventana y muestra dónde está; la lista completa está en el panel «Revisión antes de cortar».</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation>
+            <numerusform>%n pieza en %1</numerusform>
+            <numerusform>%n piezas en %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7680,16 +8577,16 @@
         <source>turned by %1</source>
         <translation>girado %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n punto, %1 mm</numerusform>
-            <numerusform>%n puntos, %1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, de %2 a %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation>
+            <numerusform>%n punto, %1</numerusform>
+            <numerusform>%n puntos, %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8021,10 +8918,6 @@
         <translation>&amp;Abrir lo recuperado</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a los 30 días de ponerlo en la papelera.</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>Mover a la &amp;papelera</translation>
     </message>
@@ -8128,6 +9021,13 @@
         <source>The pattern is imported. What is otherwise than in the file:</source>
         <translation>El patrón se ha importado. Lo que difiere del archivo:</translation>
     </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a %n día de ponerlo en la papelera.</numerusform>
+            <numerusform>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a los %n días de ponerlo en la papelera.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -8180,16 +9080,8 @@
         <translation>Ancho, fondo, alto</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>Eso no es habitual en un mueble: revise la unidad.</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>El archivo tiene %1 puntos. Son más de los necesarios para adaptar una funda, así que se redujeron a uno cada %2 mm.</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8263,8 +9155,12 @@
         <translation>&amp;Conservar posición y rotación</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>Medía %1 mm y pasa a medir %2 mm: revise la unidad.</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation>El archivo tiene %1 puntos. Son más de los necesarios para adaptar una funda, así que se redujeron a uno cada %2.</translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation>Medía %1 y pasa a medir %2: revise la unidad.</translation>
     </message>
 </context>
 <context>
@@ -8272,6 +9168,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>Piezas aplanadas</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Un archivo…</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>Mallas y escaneos (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -8433,6 +9340,10 @@
         <source>Find a change or a version</source>
         <translation>Buscar un cambio o una versión</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
 </context>
 <context>
     <name>bolster::HistoryView</name>
@@ -8508,10 +9419,6 @@
         <translation>En qué se convierten los contornos de las piezas donde el archivo tiene ambas líneas.</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>Los contornos cuyos extremos no distan más se cierran con una recta.</translation>
     </message>
@@ -8541,19 +9448,11 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 — %2 × %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8567,13 +9466,6 @@
         <translation>
             <numerusform>, %n vez</numerusform>
             <numerusform>, %n veces</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n contorno está abierto: sus extremos distan hasta %1 mm. Cierre huecos hasta ese valor si es un contorno.</numerusform>
-            <numerusform>%n contornos están abiertos: sus extremos distan hasta %1 mm. Cierre huecos hasta ese valor si son contornos.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8611,6 +9503,28 @@
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
         <translation>%1 tiene %2 piezas; se pueden importar %3 a la vez como máximo: se eligen las primeras.</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n contorno está abierto: sus extremos distan hasta %1. Cierre huecos hasta ese valor si es un contorno.</numerusform>
+            <numerusform>%n contornos están abiertos: sus extremos distan hasta %1. Cierre huecos hasta ese valor si son contornos.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation>No hay tareas en curso.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8621,14 +9535,6 @@
     <message>
         <source>Messages</source>
         <translation>Mensajes</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8660,6 +9566,65 @@
             <numerusform>Hay %n pieza en el patrón. Costura &gt; Proponer costuras encuentra lo que va unido.</numerusform>
             <numerusform>Hay %n piezas en el patrón. Costura &gt; Proponer costuras encuentra lo que va unido.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation>Bolster sigue trabajando.</translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation>Lo que se cierre ahora no se termina; los archivos que se están escribiendo quedan como estaban.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>&amp;Detener y cerrar</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Contenido</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Atrás (Alt+Izquierda)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Adelante (Alt+Derecha)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Adelante</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>Buscar en todas las páginas</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>El manual no tiene la página «%1».</translation>
     </message>
 </context>
 <context>
@@ -9133,10 +10098,6 @@
         <translation>Á&amp;ngulos de las esquinas</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>No point &amp;moves farther than</source>
         <translation>Ningún punto se &amp;mueve más de</translation>
     </message>
@@ -9161,16 +10122,8 @@
         <translation>&amp;Qué proporción</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Un archivo…</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>La forma a la que debe ajustarse la funda</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Mallas y escaneos (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9187,10 +10140,6 @@
     <message>
         <source>Stopped; nothing has changed.</source>
         <translation>Detenido; nada ha cambiado.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>D&amp;etener</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9210,7 +10159,7 @@
     </message>
     <message>
         <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>Respecto a la forma: antes %1, ahora %2 (RMS); antes %3, ahora %4 (95 %)</translation>
+        <translation>Respecto a la forma: antes %1, ahora %2 (RMS); antes %3, ahora %4 (95&#xa0;%)</translation>
     </message>
     <message>
         <source>Over the limit: %1 of the cover before, %2 now</source>
@@ -9251,6 +10200,66 @@
         <source>With all of the changes:</source>
         <translation>Con todos los cambios:</translation>
     </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation>Adaptando el patrón…</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Sin plie&amp;gues en las piezas seleccionadas</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Ninguna parte de su tela queda comprimida; si no hay ninguna seleccionada: todas</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>La &amp;costura seleccionada sigue</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Una curva dibujada en el armazón o la forma; no hace falta que fije nada</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Proporción del área</translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation>Área que conser&amp;van las piezas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Menos del 100&#xa0;%: se hacen más pequeñas</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Seleccione la costura que debe seguir la curva.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Seleccione las piezas que deben hacerse más grandes o más pequeñas.</translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation>Cambiando el patrón…</translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation>Comprimido: antes %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation>Respecto a la curva: antes %1, ahora %2 (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation>Respecto al área deseada: antes %1, ahora %2</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -9261,6 +10270,238 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>Arrastre a la derecha para una guía vertical. Las marcas mueven guías horizontales; arrástrelas fuera para eliminarlas.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation>Preferencias (*.json)</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>Ningún ajuste contiene estas palabras.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferencias</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>Buscar un ajuste</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation>&amp;Editar atajos sueltos…</translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation>&amp;Valores predeterminados</translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation>Todos los ajustes de esta página</translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>&amp;Importar…</translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation>Exportar preferencias</translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation>Preferencias de Bolster.json</translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation>Importar preferencias</translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation>No se pudieron exportar las preferencias.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation>No se importó nada de «%1»; todos los ajustes siguen como estaban.</translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation>Se importaron las preferencias.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation>
+            <numerusform>Esta versión de Bolster no conoce %n de ellas: %1</numerusform>
+            <numerusform>Esta versión de Bolster no conoce %n de ellas: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplazar la vista</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>En la vista 3D</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>En el patrón</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1: qué significa y qué hacer</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation>Aliviar la deformación</translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation>&amp;Buscar cambios</translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation>Buscando qué alivia la deformación…</translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation>Donde la tela se deforma o comprime más de lo admisible, se prueban cambios en el patrón y se calculan los mejores.</translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation>Cambios propuestos</translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation>La deformación es como &amp;máximo</translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation>Si no, valen los límites de las telas</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Límite de deformación</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation>Los bor&amp;des se mueven como máximo</translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation>Probando cambios…</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>Detenido; nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation>Nada se deforma por encima del límite.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation>El %1 de la funda supera el límite. Ningún cambio lo alivia.</translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Cada uno se calcula por separado; «Aplicar» es un solo paso que Deshacer revierte.</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>Como está ahora</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation>El %1 de la funda supera el límite.</translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation>%1 menos de deformación por encima del límite</translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation>%1 más de deformación por encima del límite</translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation>%1 menos de la funda por encima de él</translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation>%1 más de la funda por encima de él</translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation>Costura: %1 más</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation>Los lados de las costuras difieren %1 más</translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation>Los contornos cambian %1</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>Mostrar dónde</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation>Aplicar: %1</translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation>Aplicado. Deshacer lo revierte; busque de nuevo para ver qué ayuda ahora.</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>El diseño ha cambiado entretanto: busque de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -9433,6 +10674,96 @@
         <source>Open its folder</source>
         <translation>Abrir su carpeta</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation>Lo que se ha creado</translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation>Dibujando %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Informar de un problema</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation>¿Qué hizo, qué ocurrió y qué debería haber ocurrido?</translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation>&amp;Qué ocurrió:</translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation>&amp;Añadir el diseño («%1»), sin sus armazones, escaneos e imágenes</translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation>Qué más dice el &amp;informe:</translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>Escribir el informe…</translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation>Esto escribe un archivo que puede dar a quien pueda ayudar. Bolster no envía nada.</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>aún desconocido</translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation>Mensajes de esta ejecución:</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(ninguno)</translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation>El último fallo:</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Escribir el informe</translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation>ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation>El informe está escrito: %1</translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>No se pudo escribir el informe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ScanLink</name>
@@ -9488,12 +10819,8 @@
         <translation>Buscando bordes que van unidos…</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 y %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>There are no free edges that seem to belong together.</source>
@@ -9509,7 +10836,11 @@
     </message>
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
-        <translation>Las del 50 % o más. Lo cosido indica dónde van sus vecinas.</translation>
+        <translation>Las del 50&#xa0;% o más. Lo cosido indica dónde van sus vecinas.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
     </message>
 </context>
 <context>
@@ -9524,7 +10855,7 @@
     </message>
     <message>
         <source>More than 5 % ease puckers.</source>
-        <translation>Con más del 5 % de embebido se frunce.</translation>
+        <translation>Con más del 5&#xa0;% de embebido se frunce.</translation>
     </message>
     <message>
         <source>Seam</source>
@@ -9592,7 +10923,7 @@
     </message>
     <message>
         <source>The ease over the shorter side; more than 5 % puckers</source>
-        <translation>El embebido dividido por el lado más corto; con más del 5 % se frunce</translation>
+        <translation>El embebido dividido por el lado más corto; con más del 5&#xa0;% se frunce</translation>
     </message>
 </context>
 <context>
@@ -9600,6 +10931,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>Aún no hay costuras. Elija la herramienta de coser (W) y haga clic en los dos bordes que van unidos.</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Costuras</translation>
     </message>
 </context>
 <context>
@@ -9761,6 +11096,10 @@
         <source>%1 it is.</source>
         <translation>%1 queda asignado.</translation>
     </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandos</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
@@ -9883,6 +11222,101 @@
     </message>
 </context>
 <context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>Página inicial</translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation>Le damos la bienvenida a Bolster</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Hacer el recorrido</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation>Volver al diseño</translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation>¿Qué tiene?</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>Un armazón</translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation>La funda se fija en él: %1</translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation>Un patrón</translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation>Sus piezas forman la funda: %1</translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation>Un escaneo</translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation>La funda se adapta a él: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Nada aún</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation>Dibujar un rectángulo, la primera pieza</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuar con</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Vaciar esta lista</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation>Quitarlo de esta lista; el archivo se queda</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation>Conservado para después, última edición %1</translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation>Quedó tras un fallo, última edición %1</translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation>Empezar con una plantilla</translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation>Ver un ejemplo</translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation>Ahora no está ahí</translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
@@ -9947,13 +11381,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
         <translation>La tela siguió moviéndose hasta que se terminó el cálculo. Las causas habituales:
 • Una pieza que nada sujeta: fije uno de sus bordes o cósala.
 • Una costura cuyos dos lados difieren mucho en longitud: iguálelos más.
 • Una pieza muy larga o muy estrecha: divídala o ensánchela.
-• Presión alta: bájela en las propiedades del diseño.
+• Presión alta: bájela en las propiedades de la pieza.
 Lo que ve es donde estaba la tela al final.</translation>
     </message>
     <message>
@@ -9970,10 +11404,174 @@ Lo que ve es donde estaba la tela al final.</translation>
     </message>
 </context>
 <context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerancias</translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation>&amp;Generar piezas</translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation>Calculando piezas dentro de las tolerancias…</translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation>Se generan piezas al azar dentro de sus tolerancias: ¿dónde varía la funda, qué tolerancia importa, cuántas piezas quedan fuera del límite?</translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation>&amp;Mostrar en la funda lo que no supera el 95&#xa0;% de las piezas</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>Parte de la varianza</translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation>Se mueve como máximo</translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation>Tolerancias según su influencia</translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation>Tolerancias (±); 0: ninguna</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Piezas</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation>Toda medida dentro de ella es igual de probable</translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation>Normal: la tolerancia equivale a tres desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation>Antes se generan diez mil como si las fundas fueran lineales, lo que lleva segundos</translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation>Una pieza queda fuera cuando más del 5&#xa0;% de su funda está más lejos de donde debería</translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation>Generad&amp;as</translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation>&amp;Calculadas</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>&amp;Límite</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation>Nada varía: indique una tolerancia mayor que 0 para algo que tenga el diseño.</translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation>Calculando las fundas con cada tolerancia…</translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation>Detenido. Lo que se muestra procede de fundas lineales.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Detenido.</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation>El 95&#xa0;% de las piezas queda dentro de %1 (RMS sobre la funda), y de %2 donde es máximo.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation>Fuera del límite: el %1 de las piezas.</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation>Eso, como si las fundas fueran lineales; se están calculando piezas…</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation>Eso, como si las fundas fueran lineales.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation>
+            <numerusform>Según %n pieza calculada.</numerusform>
+            <numerusform>Según %n piezas calculadas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation>
+            <numerusform>%n pieza no tiene ninguna funda en reposo sobre los mismos triángulos.</numerusform>
+            <numerusform>%n piezas no tienen ninguna funda en reposo sobre los mismos triángulos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation>Lo que no supera el 95&#xa0;% de las piezas</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation>El diseño ha cambiado entretanto: genere las piezas de nuevo.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>No se pudo hacer y no se cambió nada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Salir del recorrido</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation>Ayuda &gt; Recorrido continúa desde aquí</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation>Recorrido, %1 de %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; exists already. Replace it?</source>
-        <translation>« %1 » existe déjà. Remplacer ?</translation>
+        <translation>«&#x202f;%1&#x202f;» existe déjà. Remplacer&#x202f;?</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -86,11 +86,11 @@
     <name>BackgroundPicture</name>
     <message>
         <source>%1 cannot be read as a picture: %2</source>
-        <translation>%1 n’est pas lisible comme image : %2</translation>
+        <translation>%1 n’est pas lisible comme image&#x202f;: %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an ordinary file.</source>
-        <translation>« %1 » n’est pas un fichier ordinaire.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire.</translation>
     </message>
 </context>
 <context>
@@ -124,7 +124,7 @@
     <name>BoxShapeTool</name>
     <message>
         <source>&quot;%1&quot; is no size: try 300 x 200</source>
-        <translation>« %1 » n’est pas une taille : essayez 300 x 200</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une taille&#x202f;: essayez 300 x 200</translation>
     </message>
     <message>
         <source>Enter makes it as wide and high as typed, for example 300 x 200</source>
@@ -148,15 +148,42 @@
     </message>
     <message>
         <source>There was no room where you clicked: the patch lies beside the others.</source>
-        <translation>Il n’y avait pas de place là où vous avez cliqué : la pièce est à côté des autres.</translation>
+        <translation>Il n’y avait pas de place là où vous avez cliqué&#x202f;: la pièce est à côté des autres.</translation>
     </message>
     <message>
         <source>The new patch lies on %1: drag it away, or let all be arranged (Pattern &gt; Arrange).</source>
-        <translation>La nouvelle pièce recouvre %1 : déplacez-la, ou faites tout disposer (Patron &gt; Disposer).</translation>
+        <translation>La nouvelle pièce recouvre %1&#x202f;: déplacez-la, ou faites tout disposer (Patron &gt; Disposer).</translation>
     </message>
     <message>
         <source>lies on %1</source>
         <translation>recouvre %1</translation>
+    </message>
+</context>
+<context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Mousse plus épaisse ou plus mince</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Mousse plus dure ou plus souple</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Marge d’une couture</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Pièce plus grande ou plus petite</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fixation à un autre endroit</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Couture cousue décalée</translation>
     </message>
 </context>
 <context>
@@ -167,7 +194,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>those of the patches</source>
@@ -209,7 +236,7 @@
     </message>
     <message>
         <source>This needs the cover of the present design: let the solver go on first (Pause).</source>
-        <translation>Cela demande la housse du modèle actuel : laissez d’abord le calcul continuer (Pause).</translation>
+        <translation>Cela demande la housse du modèle actuel&#x202f;: laissez d’abord le calcul continuer (Pause).</translation>
     </message>
 </context>
 <context>
@@ -231,16 +258,16 @@
         <translation>Cliquez pour sélectionner la pièce, faites glisser pour tourner la vue</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>Cliquez pour sélectionner, faites glisser pour tourner – Maj+bouton central déplace la vue, la molette zoome</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>Cliquez pour sélectionner la courbe, double-cliquez pour ajouter ici un point de contrôle</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>Cliquez pour sélectionner ce qui se trouve ici, faites glisser pour tourner la vue</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation>Cliquez pour sélectionner, faites glisser pour tourner – déplacer la vue&#x202f;: %1, zoomer&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -306,7 +333,7 @@
     <name>DartDrag</name>
     <message>
         <source>Near the dotted line both legs become of one length, or type how deep it is – Shift keeps to it, Ctrl lets go, Esc takes it back</source>
-        <translation>Près de la ligne pointillée, les deux côtés deviennent égaux ; ou saisissez la profondeur – Maj y reste, Ctrl s’en libère, Échap annule</translation>
+        <translation>Près de la ligne pointillée, les deux côtés deviennent égaux&#x202f;; ou saisissez la profondeur – Maj y reste, Ctrl s’en libère, Échap annule</translation>
     </message>
     <message>
         <source>Drag the dart along the outline, or type how far its middle is from the corner – Esc takes it back</source>
@@ -343,11 +370,11 @@
     <name>DartTool</name>
     <message>
         <source>There is no room for a mouth of &quot;%1&quot;.</source>
-        <translation>Il n’y a pas la place pour une ouverture de « %1 ».</translation>
+        <translation>Il n’y a pas la place pour une ouverture de «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no depth: try 60</source>
-        <translation>« %1 » n’est pas une profondeur : essayez 60</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une profondeur&#x202f;: essayez 60</translation>
     </message>
     <message>
         <source>Click the tip inside the patch, or type how deep it lies – on the dotted line both legs are of one length (Shift keeps to it, Ctrl lets go), Esc takes a click back</source>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>Vérification avant coupe</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Tâches</translation>
     </message>
 </context>
 <context>
@@ -567,11 +598,11 @@
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
+        <translation>&amp;Annuler&#x202f;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir : %1</translation>
+        <translation>&amp;Rétablir&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -943,7 +974,7 @@
     </message>
     <message>
         <source>A fabric that looks like a picture: PNG, JPEG, TIFF or OpenEXR</source>
-        <translation>Un tissu qui a l’aspect d’une image : PNG, JPEG, TIFF ou OpenEXR</translation>
+        <translation>Un tissu qui a l’aspect d’une image&#x202f;: PNG, JPEG, TIFF ou OpenEXR</translation>
     </message>
     <message>
         <source>&amp;Assign to selection</source>
@@ -967,7 +998,7 @@
     </message>
     <message>
         <source>Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR</source>
-        <translation>Donne au tissu l’aspect d’une image : PNG, JPEG, TIFF ou OpenEXR</translation>
+        <translation>Donne au tissu l’aspect d’une image&#x202f;: PNG, JPEG, TIFF ou OpenEXR</translation>
     </message>
     <message>
         <source>D&amp;uplicate fabric</source>
@@ -991,7 +1022,7 @@
     </message>
     <message>
         <source>Removes the fabric; asks what patches get instead</source>
-        <translation>Supprime le tissu ; demande ce que les pièces reçoivent à la place</translation>
+        <translation>Supprime le tissu&#x202f;; demande ce que les pièces reçoivent à la place</translation>
     </message>
     <message>
         <source>&amp;Import fabrics …</source>
@@ -1035,7 +1066,7 @@
     </message>
     <message>
         <source>Chooses which fabrics are seen; the shape stays</source>
-        <translation>Choisit les tissus visibles ; la forme reste</translation>
+        <translation>Choisit les tissus visibles&#x202f;; la forme reste</translation>
     </message>
     <message>
         <source>New &amp;colourway …</source>
@@ -1043,7 +1074,7 @@
     </message>
     <message>
         <source>Adds a set of fabrics for the patches; it begins as what is shown now</source>
-        <translation>Ajoute un jeu de tissus pour les pièces ; il part de ce qui est affiché</translation>
+        <translation>Ajoute un jeu de tissus pour les pièces&#x202f;; il part de ce qui est affiché</translation>
     </message>
     <message>
         <source>Rena&amp;me colourway …</source>
@@ -1118,7 +1149,7 @@
     </message>
     <message>
         <source>Checker, 20 mm</source>
-        <translation>Damier, 20 mm</translation>
+        <translation>Damier, 20&#xa0;mm</translation>
     </message>
     <message>
         <source>Plain</source>
@@ -1137,7 +1168,7 @@
     </message>
     <message>
         <source>It stands out: a welt.</source>
-        <translation>Elle est en relief : un bourrelet.</translation>
+        <translation>Elle est en relief&#x202f;: un bourrelet.</translation>
     </message>
 </context>
 <context>
@@ -1548,7 +1579,7 @@
     </message>
     <message>
         <source>Radius (0: none)</source>
-        <translation>Rayon (0 : aucun)</translation>
+        <translation>Rayon (0&#x202f;: aucun)</translation>
     </message>
     <message>
         <source>Seam allowance</source>
@@ -1580,7 +1611,7 @@
     </message>
     <message>
         <source>How finely the frame is looked at: what is thinner may stay without padding</source>
-        <translation>Finesse d’examen de l’armature : ce qui est plus mince peut rester sans garniture</translation>
+        <translation>Finesse d’examen de l’armature&#x202f;: ce qui est plus mince peut rester sans garniture</translation>
     </message>
     <message>
         <source>How thick the padding around the frame is</source>
@@ -1588,11 +1619,11 @@
     </message>
     <message>
         <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Force avec laquelle la garniture pousse la housse vers l’extérieur ; à partir de 2 environ, elle n’augmente plus</translation>
+        <translation>Force avec laquelle la garniture pousse la housse vers l’extérieur&#x202f;; à partir de 2 environ, elle n’augmente plus</translation>
     </message>
     <message>
         <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
-        <translation>Poussée de la garniture oblique par rapport à la largeur, la profondeur et la hauteur : plus forte, elle remplit mieux la housse</translation>
+        <translation>Poussée de la garniture oblique par rapport à la largeur, la profondeur et la hauteur&#x202f;: plus forte, elle remplit mieux la housse</translation>
     </message>
     <message>
         <source>How thick the padding around this foam is</source>
@@ -1600,7 +1631,7 @@
     </message>
     <message>
         <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Force avec laquelle cette mousse pousse la housse vers l’extérieur ; à partir de 2 environ, elle n’augmente plus</translation>
+        <translation>Force avec laquelle cette mousse pousse la housse vers l’extérieur&#x202f;; à partir de 2 environ, elle n’augmente plus</translation>
     </message>
     <message>
         <source>Takes this shape out of the cushion instead of adding it</source>
@@ -1804,7 +1835,7 @@
     </message>
     <message>
         <source>10 mm</source>
-        <translation>10 mm</translation>
+        <translation>10&#xa0;mm</translation>
     </message>
     <message>
         <source>Automatic notches</source>
@@ -1860,7 +1891,7 @@
     </message>
     <message>
         <source>How much longer the second side shall be than the first one: it is gathered when it is sewn.</source>
-        <translation>De combien le second côté doit être plus long que le premier : il est résorbé à la couture.</translation>
+        <translation>De combien le second côté doit être plus long que le premier&#x202f;: il est résorbé à la couture.</translation>
     </message>
     <message>
         <source>Bulge of the allowance</source>
@@ -1872,7 +1903,7 @@
     </message>
     <message>
         <source>A zip joins the two sides; the sewing sheet tells its length.</source>
-        <translation>Une fermeture à glissière joint les deux côtés ; la gamme de montage en donne la longueur.</translation>
+        <translation>Une fermeture à glissière joint les deux côtés&#x202f;; la gamme de montage en donne la longueur.</translation>
     </message>
     <message>
         <source>Step in sewing</source>
@@ -1880,7 +1911,7 @@
     </message>
     <message>
         <source>Seams with a number are sewn first, smaller ones before larger ones. 0: as the program proposes it.</source>
-        <translation>Les coutures numérotées sont cousues d’abord, les petits numéros avant les grands. 0 : comme le propose le programme.</translation>
+        <translation>Les coutures numérotées sont cousues d’abord, les petits numéros avant les grands. 0&#x202f;: comme le propose le programme.</translation>
     </message>
     <message>
         <source>How near a point of the scan must be to pull at the cover. What the scan has not seen stays as the pattern makes it.</source>
@@ -1888,7 +1919,7 @@
     </message>
     <message>
         <source>How firmly the scan pulls at the cover, against the pattern: more follows finer detail, and more of the noise.</source>
-        <translation>Fermeté avec laquelle le scan tire sur la housse, contre le patron : plus, c’est plus de détails, et plus de bruit.</translation>
+        <translation>Fermeté avec laquelle le scan tire sur la housse, contre le patron&#x202f;: plus, c’est plus de détails, et plus de bruit.</translation>
     </message>
     <message>
         <source>The cover is pulled to the scan. Without that it is only measured. Align the scan first.</source>
@@ -1896,7 +1927,7 @@
     </message>
     <message>
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
-        <translation>Vers sa surface : la housse peut glisser dessus. Vers ses points : elle ne le peut pas, ce qui convient aux scans à peu de points.</translation>
+        <translation>Vers sa surface&#x202f;: la housse peut glisser dessus. Vers ses points&#x202f;: elle ne le peut pas, ce qui convient aux scans à peu de points.</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>Exporter &amp;le corps en mousse…</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation>Imprimer la vue…</translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2048,15 +2083,15 @@
     </message>
     <message>
         <source>There is neither a frame nor the cover here: click on one, or type x, y, z.</source>
-        <translation>Il n’y a ici ni armature ni housse : cliquez sur l’une d’elles, ou saisissez x, y, z.</translation>
+        <translation>Il n’y a ici ni armature ni housse&#x202f;: cliquez sur l’une d’elles, ou saisissez x, y, z.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no place: try 250, -100, 40</source>
-        <translation>« %1 » n’est pas une position : essayez 250, -100, 40</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une position&#x202f;: essayez 250, -100, 40</translation>
     </message>
     <message>
         <source>Enter sets the point: x, y, z – without z it is as high as the last one</source>
-        <translation>Entrée place le point : x, y, z – sans z, il est à la hauteur du dernier</translation>
+        <translation>Entrée place le point&#x202f;: x, y, z – sans z, il est à la hauteur du dernier</translation>
     </message>
     <message>
         <source>Click on a frame to begin a fixation curve, or type x, y, z – drag turns the view, Esc ends the tool</source>
@@ -2067,16 +2102,16 @@
         <translation>Cliquez ou saisissez le point suivant, Entrée termine, C ferme – B rend droit, Retour arrière retire un point</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
-        <translation>Cliquez ou saisissez le point suivant, Entrée termine, C ferme – droit de point en point, quoi qu’il y ait entre eux : B rend lisse le long de la surface, Retour arrière retire un point</translation>
+        <translation>Cliquez ou saisissez le point suivant, Entrée termine, C ferme – droit de point en point, quoi qu’il y ait entre eux&#x202f;: B rend lisse le long de la surface, Retour arrière retire un point</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>&amp;Fermer la courbe</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>« %1 » : jusqu’à %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>« %1 » : plus de %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2127,8 +2154,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>« %1 » : son bord est éloigné jusqu’à %2 mm</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation>«&#x202f;%1&#x202f;»&#x202f;: son bord est éloigné jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation>«&#x202f;%1&#x202f;»&#x202f;: jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation>«&#x202f;%1&#x202f;»&#x202f;: plus de %2</translation>
     </message>
 </context>
 <context>
@@ -2139,7 +2174,7 @@
     </message>
     <message>
         <source>Select two points of an outline first: what lies between them is fixed.</source>
-        <translation>Sélectionnez d’abord deux points d’un contour : ce qui est entre eux est fixé.</translation>
+        <translation>Sélectionnez d’abord deux points d’un contour&#x202f;: ce qui est entre eux est fixé.</translation>
     </message>
     <message>
         <source>Fixation %1</source>
@@ -2165,7 +2200,7 @@
     </message>
     <message>
         <source>Click an edge of a frame: of STEP and IGES the edges of its faces, exactly; of others where their triangles bend</source>
-        <translation>Cliquez sur une arête d’une armature : pour STEP et IGES, les arêtes exactes de ses faces ; pour les autres, là où leurs triangles se plient</translation>
+        <translation>Cliquez sur une arête d’une armature&#x202f;: pour STEP et IGES, les arêtes exactes de ses faces&#x202f;; pour les autres, là où leurs triangles se plient</translation>
     </message>
     <message>
         <source>Looking for the edges of the frames …</source>
@@ -2173,7 +2208,7 @@
     </message>
     <message>
         <source>The frames have no edges: they are smooth everywhere, or are not read yet.</source>
-        <translation>Les armatures n’ont pas d’arêtes : elles sont lisses partout, ou pas encore lues.</translation>
+        <translation>Les armatures n’ont pas d’arêtes&#x202f;: elles sont lisses partout, ou pas encore lues.</translation>
     </message>
 </context>
 <context>
@@ -2217,23 +2252,19 @@
         <translation>Maillage</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>Piece %1: %2</source>
-        <translation>Morceau %1 : %2</translation>
+        <translation>Morceau %1&#x202f;: %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n piece(s)</source>
         <translation>
-            <numerusform>%1 : %n morceau</numerusform>
-            <numerusform>%1 : %n morceaux</numerusform>
+            <numerusform>%1&#x202f;: %n morceau</numerusform>
+            <numerusform>%1&#x202f;: %n morceaux</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -2245,11 +2276,11 @@
     </message>
     <message>
         <source>Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor cushioning nor contact knows them.</source>
-        <translation>Les parties non cochées sont ignorées : elles ne sont pas dessinées, et ni le dessin sur l’armature, ni le rembourrage, ni le contact n’en tiennent compte.</translation>
+        <translation>Les parties non cochées sont ignorées&#x202f;: elles ne sont pas dessinées, et ni le dessin sur l’armature, ni le rembourrage, ni le contact n’en tiennent compte.</translation>
     </message>
     <message>
         <source>%1: not in this frame</source>
-        <translation>%1 : absente de cette armature</translation>
+        <translation>%1&#x202f;: absente de cette armature</translation>
     </message>
     <message>
         <source>Padded parts</source>
@@ -2261,7 +2292,7 @@
     </message>
     <message>
         <source>This frame is large: the smallest detail can be %1 here.</source>
-        <translation>Cette armature est grande : le plus petit détail peut être de %1 ici.</translation>
+        <translation>Cette armature est grande&#x202f;: le plus petit détail peut être de %1 ici.</translation>
     </message>
 </context>
 <context>
@@ -2310,7 +2341,7 @@
     </message>
     <message>
         <source>click; Shift+click adds; drag a box</source>
-        <translation>clic ; Maj+clic ajoute ; tracer un cadre</translation>
+        <translation>clic&#x202f;; Maj+clic ajoute&#x202f;; tracer un cadre</translation>
     </message>
     <message>
         <source>Move control points or patches</source>
@@ -2318,7 +2349,7 @@
     </message>
     <message>
         <source>drag; Shift keeps to one axis; Esc takes it back</source>
-        <translation>glisser ; Maj limite à un axe ; Échap annule</translation>
+        <translation>glisser&#x202f;; Maj limite à un axe&#x202f;; Échap annule</translation>
     </message>
     <message>
         <source>Turn patches</source>
@@ -2326,15 +2357,11 @@
     </message>
     <message>
         <source>drag the round handle; Shift in steps of 15°</source>
-        <translation>glisser la poignée ronde ; Maj par pas de 15°</translation>
+        <translation>glisser la poignée ronde&#x202f;; Maj par pas de 15°</translation>
     </message>
     <message>
         <source>Add a control point</source>
         <translation>Ajouter un point de contrôle</translation>
-    </message>
-    <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>Déplacer de 1 mm, de 10 mm</translation>
     </message>
     <message>
         <source>arrow keys, Shift+arrow keys</source>
@@ -2345,36 +2372,20 @@
         <translation>Déplacer la vue</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>bouton central, ou Espace et glisser</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoomer</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>molette</translation>
     </message>
     <message>
         <source>Turn</source>
         <translation>Tourner</translation>
     </message>
     <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>bouton central, ou glisser à côté de la housse</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Maj et bouton central</translation>
-    </message>
-    <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
-        <translation>Un atelier pour ceux qui conçoivent des meubles rembourrés et des sièges auto : un patron, ses coutures et sa fixation sur l’armature deviennent la housse, en direct.</translation>
+        <translation>Un atelier pour ceux qui conçoivent des meubles rembourrés et des sièges auto&#x202f;: un patron, ses coutures et sa fixation sur l’armature deviennent la housse, en direct.</translation>
     </message>
     <message>
         <source>The surface is computed after the published method of sewing patterns on static constraints; docs/solver.md names the paper and what is different.</source>
-        <translation>La surface est calculée selon la méthode publiée des patrons sous contraintes statiques ; docs/solver.md cite l’article et ce qui diffère.</translation>
+        <translation>La surface est calculée selon la méthode publiée des patrons sous contraintes statiques&#x202f;; docs/solver.md cite l’article et ce qui diffère.</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty. Built with Qt, Eigen, CGAL, SuiteSparse, Embree and OpenImageIO.</source>
@@ -2402,7 +2413,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Patches, seams</source>
@@ -2450,7 +2461,7 @@
     </message>
     <message>
         <source>%1 m², %2 m²</source>
-        <translation>%1 m², %2 m²</translation>
+        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
     </message>
     <message>
         <source>Turned triangles</source>
@@ -2490,7 +2501,7 @@
     </message>
     <message>
         <source>Strain: root mean square, 99 %, largest</source>
-        <translation>Déformation : moyenne quadratique, 99 %, maximum</translation>
+        <translation>Déformation&#x202f;: moyenne quadratique, 99&#x202f;%, maximum</translation>
     </message>
     <message>
         <source>double click on an outline or curve</source>
@@ -2502,7 +2513,7 @@
     </message>
     <message>
         <source>click points; Enter or double click ends; click the first one to close; B: straight or smooth</source>
-        <translation>cliquer des points ; Entrée ou double-clic termine ; clic sur le premier pour fermer ; B : droit ou lisse</translation>
+        <translation>cliquer des points&#x202f;; Entrée ou double-clic termine&#x202f;; clic sur le premier pour fermer&#x202f;; B&#x202f;: droit ou lisse</translation>
     </message>
     <message>
         <source>Move control points of curves</source>
@@ -2514,7 +2525,7 @@
     </message>
     <message>
         <source>click two edges; drag or Shift+click takes a part of one; Ctrl+click several in a row, Enter sews them; F: flip</source>
-        <translation>cliquer deux bords ; glisser ou Maj+clic n’en prend qu’une partie ; Ctrl+clic plusieurs à la suite, Entrée les coud ; F : inverser</translation>
+        <translation>cliquer deux bords&#x202f;; glisser ou Maj+clic n’en prend qu’une partie&#x202f;; Ctrl+clic plusieurs à la suite, Entrée les coud&#x202f;; F&#x202f;: inverser</translation>
     </message>
     <message>
         <source>Attach to the selected fixation curve</source>
@@ -2526,7 +2537,7 @@
     </message>
     <message>
         <source>click corners, drag smooth points, or type 500, 500&lt;30 or 120, 40; Enter or a click on the first point closes</source>
-        <translation>cliquer les coins, glisser les points lisses, ou saisir 500, 500&lt;30 ou 120, 40 ; Entrée ou un clic sur le premier point ferme</translation>
+        <translation>cliquer les coins, glisser les points lisses, ou saisir 500, 500&lt;30 ou 120, 40&#x202f;; Entrée ou un clic sur le premier point ferme</translation>
     </message>
     <message>
         <source>Not snapped</source>
@@ -2554,7 +2565,7 @@
     </message>
     <message>
         <source>drag; those on a frame stay on it: Ctrl lifts them off, S lets go; X, Y, Z keep to an axis</source>
-        <translation>glisser ; ceux d’une armature y restent : Ctrl les soulève, S les détache ; X, Y, Z limitent à un axe</translation>
+        <translation>glisser&#x202f;; ceux d’une armature y restent&#x202f;: Ctrl les soulève, S les détache&#x202f;; X, Y, Z limitent à un axe</translation>
     </message>
     <message>
         <source>Draw a fixation curve</source>
@@ -2562,7 +2573,7 @@
     </message>
     <message>
         <source>click points on a frame; Enter or double click ends; click the first one to close</source>
-        <translation>cliquer des points sur une armature ; Entrée ou double-clic termine ; clic sur le premier pour fermer</translation>
+        <translation>cliquer des points sur une armature&#x202f;; Entrée ou double-clic termine&#x202f;; clic sur le premier pour fermer</translation>
     </message>
     <message>
         <source>Move the ends of a seam or fixation</source>
@@ -2578,7 +2589,7 @@
     </message>
     <message>
         <source>click it; stitches and piping are in the properties</source>
-        <translation>cliquer dessus ; points et passepoil sont dans les propriétés</translation>
+        <translation>cliquer dessus&#x202f;; points et passepoil sont dans les propriétés</translation>
     </message>
     <message>
         <source>Select an edge</source>
@@ -2586,7 +2597,7 @@
     </message>
     <message>
         <source>click the outline; drag it then to move it; L types its length</source>
-        <translation>cliquer sur le contour ; glisser ensuite pour le déplacer ; L saisit sa longueur</translation>
+        <translation>cliquer sur le contour&#x202f;; glisser ensuite pour le déplacer&#x202f;; L saisit sa longueur</translation>
     </message>
     <message>
         <source>Commands for what lies there</source>
@@ -2602,15 +2613,27 @@
     </message>
     <message>
         <source>type it while dragging: 50, 30, 20, for sizes 300 x 200 or 120 %; Enter lets go</source>
-        <translation>le saisir en glissant : 50, 30, 20, pour les tailles 300 x 200 ou 120 % ; Entrée relâche</translation>
+        <translation>le saisir en glissant&#x202f;: 50, 30, 20, pour les tailles 300 x 200 ou 120&#x202f;%&#x202f;; Entrée relâche</translation>
     </message>
     <message>
         <source>click edges; Shift+click collects several; Esc ends</source>
-        <translation>cliquer sur des bords ; Maj+clic en réunit plusieurs ; Échap termine</translation>
+        <translation>cliquer sur des bords&#x202f;; Maj+clic en réunit plusieurs&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>right button, without a drag</source>
         <translation>bouton droit, sans glisser</translation>
+    </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation>Déplacer de %1, de %2</translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation>%1, ou Espace et glisser</translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation>%1, ou glisser à côté de la housse</translation>
     </message>
 </context>
 <context>
@@ -2624,8 +2647,8 @@
         <translation>Mousse</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>Cette armature est grande : son plus petit détail est mis à %1 mm ; les %2 mm habituels demanderaient trop de mémoire.</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation>Cette armature est grande&#x202f;: son plus petit détail est mis à %1&#x202f;; les %2 habituels demanderaient trop de mémoire.</translation>
     </message>
 </context>
 <context>
@@ -2648,11 +2671,11 @@
     </message>
     <message>
         <source>Foam belongs to a cushion: insert one first.</source>
-        <translation>La mousse appartient à un rembourrage : insérez-en d’abord un.</translation>
+        <translation>La mousse appartient à un rembourrage&#x202f;: insérez-en d’abord un.</translation>
     </message>
     <message>
         <source>Cushioning needs a frame: import one first.</source>
-        <translation>Un rembourrage demande une armature : importez-en d’abord une.</translation>
+        <translation>Un rembourrage demande une armature&#x202f;: importez-en d’abord une.</translation>
     </message>
 </context>
 <context>
@@ -2693,6 +2716,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>Modifie le patron jusqu’à ce que la housse repose sur un scan, ou soit moins déformée</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation>Détendre le tissu…</translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation>Propose des modifications du patron là où le tissu est trop déformé, avec ce que chacune apporte</translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation>D’où vient l’écart&#x202f;?…</translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation>Quelle cause explique le mieux l’écart entre le scan d’un exemplaire fabriqué et la housse</translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation>Tolérances…</translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation>Où la housse varie d’un exemplaire à l’autre, et quelle tolérance de fabrication compte</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +2895,25 @@
     </message>
 </context>
 <context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>La page sur ce que vous faites</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>Le manuel n’est pas installé.</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>C’est un dossier « manual » avec les autres fichiers du programme.</translation>
+    </message>
+</context>
+<context>
     <name>MapCommands</name>
     <message>
         <source>&amp;Map</source>
@@ -2891,11 +2972,11 @@
     </message>
     <message>
         <source>Allowance of %1 – or type it; Ctrl for any width, Esc takes it back</source>
-        <translation>Marge de %1 – ou saisissez-la ; Ctrl pour une largeur quelconque, Échap annule</translation>
+        <translation>Marge de %1 – ou saisissez-la&#x202f;; Ctrl pour une largeur quelconque, Échap annule</translation>
     </message>
     <message>
         <source>Drag it to where it belongs, or type its place: 120, 40 – Esc takes it back</source>
-        <translation>Faites glisser à sa place, ou saisissez la position : 120, 40 – Échap annule</translation>
+        <translation>Faites glisser à sa place, ou saisissez la position&#x202f;: 120, 40 – Échap annule</translation>
     </message>
     <message>
         <source>Drag it along the outline, or type how far it is from the corner – Esc takes it back</source>
@@ -2918,7 +2999,7 @@
     </message>
     <message>
         <source>Edge: %1</source>
-        <translation>Bord : %1</translation>
+        <translation>Bord&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -2937,7 +3018,7 @@
     </message>
     <message>
         <source>point %1 is no number or beyond 1e7 mm</source>
-        <translation>le point %1 n’est pas un nombre ou dépasse 1e7 mm</translation>
+        <translation>le point %1 n’est pas un nombre ou dépasse 1e7&#xa0;mm</translation>
     </message>
     <message>
         <source>corners belong to closed curves of degree 3 only</source>
@@ -2945,11 +3026,11 @@
     </message>
     <message>
         <source>the list of corners is empty; leave it out</source>
-        <translation>la liste des coins est vide ; omettez-la</translation>
+        <translation>la liste des coins est vide&#x202f;; omettez-la</translation>
     </message>
     <message>
         <source>corner %1 does not exist; the points are numbered 0 to %2</source>
-        <translation>le coin %1 n’existe pas ; les points sont numérotés de 0 à %2</translation>
+        <translation>le coin %1 n’existe pas&#x202f;; les points sont numérotés de 0 à %2</translation>
     </message>
     <message>
         <source>the corners must increase, but %1 follows %2</source>
@@ -2957,67 +3038,67 @@
     </message>
     <message>
         <source>there must be at least two points between the corners %1 and %2 (a straight edge: at its thirds)</source>
-        <translation>il doit y avoir au moins deux points entre les coins %1 et %2 (bord droit : à ses tiers)</translation>
+        <translation>il doit y avoir au moins deux points entre les coins %1 et %2 (bord droit&#x202f;: à ses tiers)</translation>
     </message>
     <message>
         <source>Line %1, column %2: the text goes on after the design&apos;s last bracket; remove what follows</source>
-        <translation>Ligne %1, colonne %2 : le texte continue après le dernier crochet du modèle ; supprimez ce qui suit</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: le texte continue après le dernier crochet du modèle&#x202f;; supprimez ce qui suit</translation>
     </message>
     <message>
         <source>Line %1, column %2: the text ends in the middle of the design; the file is incomplete</source>
-        <translation>Ligne %1, colonne %2 : le texte finit au milieu du modèle ; le fichier est incomplet</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: le texte finit au milieu du modèle&#x202f;; le fichier est incomplet</translation>
     </message>
     <message>
         <source>Line %1, column %2: brackets are nested more than 64 deep; no design needs that</source>
-        <translation>Ligne %1, colonne %2 : les crochets sont imbriqués sur plus de 64 niveaux ; aucun modèle n’en a besoin</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: les crochets sont imbriqués sur plus de 64 niveaux&#x202f;; aucun modèle n’en a besoin</translation>
     </message>
     <message>
         <source>Line %1, column %2: a value is expected here: a number, a text in quotes, true, false or a bracket (NaN and Infinity are no numbers)</source>
-        <translation>Ligne %1, colonne %2 : une valeur est attendue ici : un nombre, un texte entre guillemets, true, false ou un crochet (NaN et Infinity ne sont pas des nombres)</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: une valeur est attendue ici&#x202f;: un nombre, un texte entre guillemets, true, false ou un crochet (NaN et Infinity ne sont pas des nombres)</translation>
     </message>
     <message>
         <source>Line %1, column %2: a comma or &quot;]&quot; is missing here</source>
-        <translation>Ligne %1, colonne %2 : il manque ici une virgule ou « ] »</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: il manque ici une virgule ou «&#x202f;]&#x202f;»</translation>
     </message>
     <message>
         <source>Line %1, column %2: a key in quotes is expected here</source>
-        <translation>Ligne %1, colonne %2 : une clé entre guillemets est attendue ici</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: une clé entre guillemets est attendue ici</translation>
     </message>
     <message>
         <source>Line %1, column %2: a colon is missing after the key</source>
-        <translation>Ligne %1, colonne %2 : il manque deux-points après la clé</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: il manque deux-points après la clé</translation>
     </message>
     <message>
         <source>Line %1, column %2: a comma or &quot;}&quot; is missing here</source>
-        <translation>Ligne %1, colonne %2 : il manque ici une virgule ou « } »</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: il manque ici une virgule ou «&#x202f;}&#x202f;»</translation>
     </message>
     <message>
         <source>Line %1, column %2: a text in quotes must end on its line; a quote is missing</source>
-        <translation>Ligne %1, colonne %2 : un texte entre guillemets doit finir sur sa ligne ; il manque un guillemet</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: un texte entre guillemets doit finir sur sa ligne&#x202f;; il manque un guillemet</translation>
     </message>
     <message>
         <source>Line %1, column %2: this is no valid escape; write a backslash as &quot;\\&quot;</source>
-        <translation>Ligne %1, colonne %2 : séquence d’échappement non valide ; écrivez une barre oblique inverse comme « \\ »</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: séquence d’échappement non valide&#x202f;; écrivez une barre oblique inverse comme «&#x202f;\\&#x202f;»</translation>
     </message>
     <message>
         <source>Line %1, column %2: this is not UTF-8; save the file in that encoding</source>
-        <translation>Ligne %1, colonne %2 : ce n’est pas de l’UTF-8 ; enregistrez le fichier dans ce codage</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: ce n’est pas de l’UTF-8&#x202f;; enregistrez le fichier dans ce codage</translation>
     </message>
     <message>
         <source>Line %1, column %2: the text ends inside quotes; the file is incomplete</source>
-        <translation>Ligne %1, colonne %2 : le texte finit entre guillemets ; le fichier est incomplet</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: le texte finit entre guillemets&#x202f;; le fichier est incomplet</translation>
     </message>
     <message>
         <source>Line %1, column %2: this is no number; write it like 12.5, -3 or 1e-3</source>
-        <translation>Ligne %1, colonne %2 : ce n’est pas un nombre ; écrivez-le comme 12.5, -3 ou 1e-3</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: ce n’est pas un nombre&#x202f;; écrivez-le comme 12.5, -3 ou 1e-3</translation>
     </message>
     <message>
         <source>the text is larger than %1 MB; that is no design</source>
-        <translation>le texte dépasse %1 Mo ; ce n’est pas un modèle</translation>
+        <translation>le texte dépasse %1&#xa0;Mo&#x202f;; ce n’est pas un modèle</translation>
     </message>
     <message>
         <source>knot %1 occurs more often than %2 times, the degree; remove the surplus ones</source>
-        <translation>le nœud %1 apparaît plus de %2 fois (le degré) ; supprimez ceux en trop</translation>
+        <translation>le nœud %1 apparaît plus de %2 fois (le degré)&#x202f;; supprimez ceux en trop</translation>
     </message>
     <message>
         <source>the knots of an open curve must begin with %1 equal ones and end with %1 equal, larger ones</source>
@@ -3041,7 +3122,7 @@
     </message>
     <message>
         <source>two knots near %1 are almost equal; make them equal</source>
-        <translation>deux nœuds près de %1 sont presque égaux ; rendez-les égaux</translation>
+        <translation>deux nœuds près de %1 sont presque égaux&#x202f;; rendez-les égaux</translation>
     </message>
     <message>
         <source>there is not enough memory for this design</source>
@@ -3049,23 +3130,23 @@
     </message>
     <message>
         <source>%1: the file promises more than it holds</source>
-        <translation>%1 : le fichier annonce plus qu’il ne contient</translation>
+        <translation>%1&#x202f;: le fichier annonce plus qu’il ne contient</translation>
     </message>
     <message>
         <source>%1: the mesh is too large, the limit is %2 points and as many triangles</source>
-        <translation>%1 : le maillage est trop grand, la limite est de %2 points et autant de triangles</translation>
+        <translation>%1&#x202f;: le maillage est trop grand, la limite est de %2 points et autant de triangles</translation>
     </message>
     <message>
         <source>%1: the point is not finite, or beyond 10,000,000</source>
-        <translation>%1 : le point n’est pas fini, ou dépasse 10 000 000</translation>
+        <translation>%1&#x202f;: le point n’est pas fini, ou dépasse 10&#x202f;000&#x202f;000</translation>
     </message>
     <message>
         <source>%1: a face refers to point %2, but there are %3 points</source>
-        <translation>%1 : une face renvoie au point %2, mais il y a %3 points</translation>
+        <translation>%1&#x202f;: une face renvoie au point %2, mais il y a %3 points</translation>
     </message>
     <message>
         <source>%1: the mesh has too many groups, the limit is %2</source>
-        <translation>%1 : le maillage a trop de groupes, la limite est de %2</translation>
+        <translation>%1&#x202f;: le maillage a trop de groupes, la limite est de %2</translation>
     </message>
     <message>
         <source>%1 holds no mesh</source>
@@ -3073,123 +3154,123 @@
     </message>
     <message>
         <source>%1 holds points only; a frame needs faces between them</source>
-        <translation>%1 ne contient que des points ; une armature demande des faces entre eux</translation>
+        <translation>%1 ne contient que des points&#x202f;; une armature demande des faces entre eux</translation>
     </message>
     <message>
         <source>%1: points are counted from 1, not from 0</source>
-        <translation>%1 : les points se comptent à partir de 1, pas de 0</translation>
+        <translation>%1&#x202f;: les points se comptent à partir de 1, pas de 0</translation>
     </message>
     <message>
         <source>%1: the file ends too early</source>
-        <translation>%1 : le fichier finit trop tôt</translation>
+        <translation>%1&#x202f;: le fichier finit trop tôt</translation>
     </message>
     <message>
         <source>%1: the file does not begin with OFF</source>
-        <translation>%1 : le fichier ne commence pas par OFF</translation>
+        <translation>%1&#x202f;: le fichier ne commence pas par OFF</translation>
     </message>
     <message>
         <source>%1: binary OFF is not read; save it as text</source>
-        <translation>%1 : l’OFF binaire n’est pas lu ; enregistrez-le en texte</translation>
+        <translation>%1&#x202f;: l’OFF binaire n’est pas lu&#x202f;; enregistrez-le en texte</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a PLY number type</source>
-        <translation>%1 : « %2 » n’est pas un type de nombre PLY</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas un type de nombre PLY</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a PLY format</source>
-        <translation>%1 : « %2 » n’est pas un format PLY</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas un format PLY</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; cannot count a list</source>
-        <translation>%1 : « %2 » ne peut pas compter une liste</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» ne peut pas compter une liste</translation>
     </message>
     <message>
         <source>%1: the file does not begin with &quot;ply&quot;</source>
-        <translation>%1 : le fichier ne commence pas par « ply »</translation>
+        <translation>%1&#x202f;: le fichier ne commence pas par «&#x202f;ply&#x202f;»</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not expected in a PLY header</source>
-        <translation>%1 : « %2 » n’est pas attendu dans un en-tête PLY</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas attendu dans un en-tête PLY</translation>
     </message>
     <message>
         <source>%1: a count is negative</source>
-        <translation>%1 : un nombre d’éléments est négatif</translation>
+        <translation>%1&#x202f;: un nombre d’éléments est négatif</translation>
     </message>
     <message>
         <source>%1: the points have no coordinate &quot;%2&quot;</source>
-        <translation>%1 : les points n’ont pas de coordonnée « %2 »</translation>
+        <translation>%1&#x202f;: les points n’ont pas de coordonnée «&#x202f;%2&#x202f;»</translation>
     </message>
     <message>
         <source>%1: the faces have no list &quot;%2&quot;</source>
-        <translation>%1 : les faces n’ont pas de liste « %2 »</translation>
+        <translation>%1&#x202f;: les faces n’ont pas de liste «&#x202f;%2&#x202f;»</translation>
     </message>
     <message>
         <source>%1: a number is missing</source>
-        <translation>%1 : il manque un nombre</translation>
+        <translation>%1&#x202f;: il manque un nombre</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a number</source>
-        <translation>%1 : « %2 » n’est pas un nombre</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a whole number</source>
-        <translation>%1 : « %2 » n’est pas un nombre entier</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>unsaved work cannot be protected: &quot;%1&quot; cannot be written</source>
-        <translation>le travail non enregistré ne peut pas être protégé : impossible d’écrire « %1 »</translation>
+        <translation>le travail non enregistré ne peut pas être protégé&#x202f;: impossible d’écrire «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>there is no file &quot;%1&quot;</source>
-        <translation>il n’y a pas de fichier « %1 »</translation>
+        <translation>il n’y a pas de fichier «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>you are not allowed to read &quot;%1&quot;</source>
-        <translation>vous n’avez pas le droit de lire « %1 »</translation>
+        <translation>vous n’avez pas le droit de lire «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is a folder, not a file</source>
-        <translation>« %1 » est un dossier, pas un fichier</translation>
+        <translation>«&#x202f;%1&#x202f;» est un dossier, pas un fichier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an ordinary file</source>
-        <translation>« %1 » n’est pas un fichier ordinaire</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be read (%2)</source>
-        <translation>impossible de lire « %1 » (%2)</translation>
+        <translation>impossible de lire «&#x202f;%1&#x202f;» (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: the disk is full; make room or choose another folder</source>
-        <translation>impossible d’écrire « %1 » : le disque est plein ; libérez de la place ou choisissez un autre dossier</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: le disque est plein&#x202f;; libérez de la place ou choisissez un autre dossier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: you are not allowed to write into &quot;%2&quot;; choose another folder</source>
-        <translation>impossible d’écrire « %1 » : vous n’avez pas le droit d’écrire dans « %2 » ; choisissez un autre dossier</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: vous n’avez pas le droit d’écrire dans «&#x202f;%2&#x202f;»&#x202f;; choisissez un autre dossier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: there is no folder &quot;%2&quot;</source>
-        <translation>impossible d’écrire « %1 » : il n’y a pas de dossier « %2 »</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: il n’y a pas de dossier «&#x202f;%2&#x202f;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is a folder</source>
-        <translation>impossible d’écrire « %1 » : c’est un dossier</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: c’est un dossier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written (%2)</source>
-        <translation>impossible d’écrire « %1 » (%2)</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;» (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is too large: %2 MB, and at most %3 MB are read</source>
-        <translation>« %1 » est trop grand : %2 Mo, et %3 Mo au plus sont lus</translation>
+        <translation>«&#x202f;%1&#x202f;» est trop grand&#x202f;: %2&#xa0;Mo, et %3&#xa0;Mo au plus sont lus</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is write-protected</source>
-        <translation>impossible d’écrire « %1 » : il est protégé en écriture</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: il est protégé en écriture</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: a patch is degenerate or its numbers are too large.</source>
-        <translation>Les équations de la housse n’ont pas pu être résolues : une pièce est dégénérée ou ses nombres sont trop grands.</translation>
+        <translation>Les équations de la housse n’ont pas pu être résolues&#x202f;: une pièce est dégénérée ou ses nombres sont trop grands.</translation>
     </message>
     <message>
         <source>this seam and its neighbours carry their ends round in a circle without ever meeting. Let the seams of this circle end at common points.</source>
@@ -3201,19 +3282,19 @@
     </message>
     <message>
         <source>%1 and %2 hold the same point of the cover in two places, %3 mm apart. Let both curves meet there, or end one stretch earlier.</source>
-        <translation>%1 et %2 tiennent le même point de la housse à deux endroits, à %3 mm l’un de l’autre. Faites s’y rejoindre les deux courbes, ou finissez un tronçon plus tôt.</translation>
+        <translation>%1 et %2 tiennent le même point de la housse à deux endroits, à %3&#xa0;mm l’un de l’autre. Faites s’y rejoindre les deux courbes, ou finissez un tronçon plus tôt.</translation>
     </message>
     <message>
         <source>the patch is too narrow somewhere for edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>la pièce est trop étroite par endroits pour des arêtes de %1 mm. Choisissez une longueur d’arête plus petite.</translation>
+        <translation>la pièce est trop étroite par endroits pour des arêtes de %1&#xa0;mm. Choisissez une longueur d’arête plus petite.</translation>
     </message>
     <message>
         <source>The design cannot be solved: %2</source>
-        <translation>Le modèle ne peut pas être résolu : %2</translation>
+        <translation>Le modèle ne peut pas être résolu&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>There is no patch to solve. Add a patch to the pattern.</source>
@@ -3221,7 +3302,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by an estimated %2 mm. Allow more iterations.</source>
-        <translation>Après %1 itérations, la surface bouge encore d’environ %2 mm. Permettez plus d’itérations.</translation>
+        <translation>Après %1 itérations, la surface bouge encore d’environ %2&#xa0;mm. Permettez plus d’itérations.</translation>
     </message>
     <message>
         <source>Remove %1 points</source>
@@ -3233,15 +3314,15 @@
     </message>
     <message>
         <source>another element has the number %1 already; give this one a number of its own</source>
-        <translation>un autre élément a déjà le numéro %1 ; donnez à celui-ci son propre numéro</translation>
+        <translation>un autre élément a déjà le numéro %1&#x202f;; donnez à celui-ci son propre numéro</translation>
     </message>
     <message>
         <source>this is no Bolster design; it must say &quot;format&quot;: &quot;bolster-design&quot;</source>
-        <translation>ce n’est pas un modèle Bolster ; il doit contenir &quot;format&quot;: &quot;bolster-design&quot;</translation>
+        <translation>ce n’est pas un modèle Bolster&#x202f;; il doit contenir &quot;format&quot;: &quot;bolster-design&quot;</translation>
     </message>
     <message>
         <source>the design was made by a newer Bolster (version %1 of the format, this program knows %2); update the program</source>
-        <translation>le modèle vient d’un Bolster plus récent (version %1 du format, ce programme connaît %2) ; mettez le programme à jour</translation>
+        <translation>le modèle vient d’un Bolster plus récent (version %1 du format, ce programme connaît %2)&#x202f;; mettez le programme à jour</translation>
     </message>
     <message>
         <source>must be %1</source>
@@ -3249,7 +3330,7 @@
     </message>
     <message>
         <source>must be &quot;mm&quot;; convert the design to millimetres</source>
-        <translation>doit être &quot;mm&quot; ; convertissez le modèle en millimètres</translation>
+        <translation>doit être &quot;mm&quot;&#x202f;; convertissez le modèle en millimètres</translation>
     </message>
     <message>
         <source>must be a list of elements in square brackets</source>
@@ -3265,7 +3346,7 @@
     </message>
     <message>
         <source>the list is empty; leave it out</source>
-        <translation>la liste est vide ; omettez-la</translation>
+        <translation>la liste est vide&#x202f;; omettez-la</translation>
     </message>
     <message>
         <source>must be a curve in braces, with degree, closed and points</source>
@@ -3273,11 +3354,11 @@
     </message>
     <message>
         <source>a curve has either corners or knots; remove one of them</source>
-        <translation>une courbe a soit corners, soit knots ; supprimez l’un des deux</translation>
+        <translation>une courbe a soit corners, soit knots&#x202f;; supprimez l’un des deux</translation>
     </message>
     <message>
         <source>an outline must be closed; write true</source>
-        <translation>un contour doit être fermé ; écrivez true</translation>
+        <translation>un contour doit être fermé&#x202f;; écrivez true</translation>
     </message>
     <message>
         <source>must be a stretch in braces, with patch, from and to</source>
@@ -3321,11 +3402,11 @@
     </message>
     <message>
         <source>this key occurs twice; remove one of them</source>
-        <translation>cette clé apparaît deux fois ; supprimez-en une</translation>
+        <translation>cette clé apparaît deux fois&#x202f;; supprimez-en une</translation>
     </message>
     <message>
         <source>this key is missing; add it</source>
-        <translation>cette clé manque ; ajoutez-la</translation>
+        <translation>cette clé manque&#x202f;; ajoutez-la</translation>
     </message>
     <message>
         <source>must be one of %1</source>
@@ -3333,7 +3414,7 @@
     </message>
     <message>
         <source>this key is unknown; check its spelling or remove it</source>
-        <translation>cette clé est inconnue ; vérifiez l’orthographe ou supprimez-la</translation>
+        <translation>cette clé est inconnue&#x202f;; vérifiez l’orthographe ou supprimez-la</translation>
     </message>
     <message>
         <source>Move a point of %1</source>
@@ -3417,7 +3498,7 @@
     </message>
     <message>
         <source>The solver failed: %1. The last good surface is kept.</source>
-        <translation>Le calcul a échoué : %1. La dernière bonne surface est conservée.</translation>
+        <translation>Le calcul a échoué&#x202f;: %1. La dernière bonne surface est conservée.</translation>
     </message>
     <message>
         <source>Change the colour of %1</source>
@@ -3485,7 +3566,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; must be relative to the design&apos;s folder and use &quot;/&quot; between folders</source>
-        <translation>« %1 » doit être relatif au dossier du modèle et utiliser « / » entre les dossiers</translation>
+        <translation>«&#x202f;%1&#x202f;» doit être relatif au dossier du modèle et utiliser «&#x202f;/&#x202f;» entre les dossiers</translation>
     </message>
     <message>
         <source>left out because of its errors</source>
@@ -3497,7 +3578,7 @@
     </message>
     <message>
         <source>an edge length of %1 mm is used instead</source>
-        <translation>une longueur d’arête de %1 mm est utilisée à la place</translation>
+        <translation>une longueur d’arête de %1&#xa0;mm est utilisée à la place</translation>
     </message>
     <message>
         <source>the file is not a design</source>
@@ -3505,23 +3586,23 @@
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written</source>
-        <translation>impossible d’écrire « %1 »</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be copied to &quot;%2&quot;: %3</source>
-        <translation>« %1 » n’a pas pu être copié vers « %2 » : %3</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être copié vers «&#x202f;%2&#x202f;»&#x202f;: %3</translation>
     </message>
     <message>
         <source>the folder &quot;%1&quot; could not be made</source>
-        <translation>le dossier « %1 » n’a pas pu être créé</translation>
+        <translation>le dossier «&#x202f;%1&#x202f;» n’a pas pu être créé</translation>
     </message>
     <message>
         <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
-        <translation>la pièce est libre dans l’espace : rien ne la fixe à l’armature ; ajoutez une fixation</translation>
+        <translation>la pièce est libre dans l’espace&#x202f;: rien ne la fixe à l’armature&#x202f;; ajoutez une fixation</translation>
     </message>
     <message>
         <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
-        <translation>cette pièce et les %1 qui y sont cousues sont libres dans l’espace : rien ne les fixe à l’armature ; ajoutez une fixation</translation>
+        <translation>cette pièce et les %1 qui y sont cousues sont libres dans l’espace&#x202f;: rien ne les fixe à l’armature&#x202f;; ajoutez une fixation</translation>
     </message>
     <message>
         <source>is %1, but must lie between %2 and %3</source>
@@ -3529,27 +3610,27 @@
     </message>
     <message>
         <source>there is no element %1; name a %2</source>
-        <translation>il n’y a pas d’élément %1 ; indiquez un élément du type %2</translation>
+        <translation>il n’y a pas d’élément %1&#x202f;; indiquez un élément du type %2</translation>
     </message>
     <message>
         <source>element %1 cannot be read; repair it or name another %2</source>
-        <translation>l’élément %1 est illisible ; réparez-le ou indiquez-en un autre du type %2</translation>
+        <translation>l’élément %1 est illisible&#x202f;; réparez-le ou indiquez-en un autre du type %2</translation>
     </message>
     <message>
         <source>%1 is no %2; name another element</source>
-        <translation>%1 n’est pas du type %2 ; indiquez un autre élément</translation>
+        <translation>%1 n’est pas du type %2&#x202f;; indiquez un autre élément</translation>
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
-        <translation>%1 mm donneraient plus de 5 millions de triangles ; prenez au moins %2 mm pour ces pièces</translation>
+        <translation>%1&#xa0;mm donneraient plus de 5 millions de triangles&#x202f;; prenez au moins %2&#xa0;mm pour ces pièces</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
-        <translation>« %1 » n’est pas une couleur ; écrivez-la comme #7a4a2b</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une couleur&#x202f;; écrivez-la comme #7a4a2b</translation>
     </message>
     <message>
         <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
-        <translation>le maillage ne peut pas rendre des plis aussi petits que ceux d’une longueur de flexion de %1 mm : avec des arêtes de %2 mm, elle agit comme %3 mm ; prenez une longueur d’arête d’au plus %4 mm, ou une longueur de flexion plus grande</translation>
+        <translation>le maillage ne peut pas rendre des plis aussi petits que ceux d’une longueur de flexion de %1&#xa0;mm&#x202f;: avec des arêtes de %2&#xa0;mm, elle agit comme %3&#xa0;mm&#x202f;; prenez une longueur d’arête d’au plus %4&#xa0;mm, ou une longueur de flexion plus grande</translation>
     </message>
     <message>
         <source>an outline must be a closed curve</source>
@@ -3561,11 +3642,11 @@
     </message>
     <message>
         <source>all points of the outline lie on one line, it encloses no area; move one of them</source>
-        <translation>tous les points du contour sont alignés, il n’enferme aucune aire ; déplacez-en un</translation>
+        <translation>tous les points du contour sont alignés, il n’enferme aucune aire&#x202f;; déplacez-en un</translation>
     </message>
     <message>
         <source>the outline crosses or touches itself near %1; move its points apart there</source>
-        <translation>le contour se croise ou se touche près de %1 ; écartez-y ses points</translation>
+        <translation>le contour se croise ou se touche près de %1&#x202f;; écartez-y ses points</translation>
     </message>
     <message>
         <source>the outline encloses no area</source>
@@ -3573,7 +3654,7 @@
     </message>
     <message>
         <source>%1 is the end of the curve; write %2, its start</source>
-        <translation>%1 est la fin de la courbe ; écrivez %2, son début</translation>
+        <translation>%1 est la fin de la courbe&#x202f;; écrivez %2, son début</translation>
     </message>
     <message>
         <source>is %1, but must be larger than the start of the stretch, %2</source>
@@ -3585,23 +3666,23 @@
     </message>
     <message>
         <source>the stretch from %1 to %2 has no length; the outline&apos;s points coincide there</source>
-        <translation>le tronçon de %1 à %2 n’a pas de longueur ; les points du contour y coïncident</translation>
+        <translation>le tronçon de %1 à %2 n’a pas de longueur&#x202f;; les points du contour y coïncident</translation>
     </message>
     <message>
         <source>the seam would sew a stretch of &quot;%1&quot; to itself: %2 to %3 and %4 to %5 overlap; choose two separate stretches</source>
-        <translation>la couture coudrait un tronçon de « %1 » à lui-même : %2 à %3 et %4 à %5 se chevauchent ; choisissez deux tronçons séparés</translation>
+        <translation>la couture coudrait un tronçon de «&#x202f;%1&#x202f;» à lui-même&#x202f;: %2 à %3 et %4 à %5 se chevauchent&#x202f;; choisissez deux tronçons séparés</translation>
     </message>
     <message>
         <source>the seam joins the right side of &quot;%1&quot; to the wrong side of &quot;%2&quot;; turn &quot;reversed&quot; round, or one patch wrong side out</source>
-        <translation>la couture joint l’endroit de « %1 » à l’envers de « %2 » ; inversez « reversed », ou mettez l’une des pièces envers à l’extérieur</translation>
+        <translation>la couture joint l’endroit de «&#x202f;%1&#x202f;» à l’envers de «&#x202f;%2&#x202f;»&#x202f;; inversez «&#x202f;reversed&#x202f;», ou mettez l’une des pièces envers à l’extérieur</translation>
     </message>
     <message>
         <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
-        <translation>les côtés de la couture mesurent %1 mm (« %2 ») et %3 mm (« %4 ») : %5 % d’embu, au-delà de 5 % elle fronce ; égalisez-les ou vérifiez les bouts des tronçons</translation>
+        <translation>les côtés de la couture mesurent %1&#xa0;mm («&#x202f;%2&#x202f;») et %3&#xa0;mm («&#x202f;%4&#x202f;»)&#x202f;: %5&#x202f;% d’embu, au-delà de 5&#x202f;% elle fronce&#x202f;; égalisez-les ou vérifiez les bouts des tronçons</translation>
     </message>
     <message>
         <source>the curve has no length; move its points apart</source>
-        <translation>la courbe n’a pas de longueur ; écartez ses points</translation>
+        <translation>la courbe n’a pas de longueur&#x202f;; écartez ses points</translation>
     </message>
     <message>
         <source>the curve from %1 to %2 has no length</source>
@@ -3609,7 +3690,7 @@
     </message>
     <message>
         <source>is %1, but must be positive: millimetres per unit of the file</source>
-        <translation>vaut %1, mais doit être positif : millimètres par unité du fichier</translation>
+        <translation>vaut %1, mais doit être positif&#x202f;: millimètres par unité du fichier</translation>
     </message>
     <message>
         <source>a design has at most %1 elements</source>
@@ -3633,35 +3714,35 @@
     </message>
     <message>
         <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
-        <translation>vaut %1, mais doit être une longueur positive d’au plus %2 ; 12 mm est habituel</translation>
+        <translation>vaut %1, mais doit être une longueur positive d’au plus %2&#x202f;; 12&#xa0;mm est habituel</translation>
     </message>
     <message>
         <source>no mesh can resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take a longer bending length</source>
-        <translation>aucun maillage ne peut rendre des plis aussi petits que ceux d’une longueur de flexion de %1 mm : avec des arêtes de %2 mm, elle agit comme %3 mm ; prenez une longueur de flexion plus grande</translation>
+        <translation>aucun maillage ne peut rendre des plis aussi petits que ceux d’une longueur de flexion de %1&#xa0;mm&#x202f;: avec des arêtes de %2&#xa0;mm, elle agit comme %3&#xa0;mm&#x202f;; prenez une longueur de flexion plus grande</translation>
     </message>
     <message>
         <source>it sews what %1 sews already; remove one of them</source>
-        <translation>elle coud ce que %1 coud déjà ; supprimez l’une des deux</translation>
+        <translation>elle coud ce que %1 coud déjà&#x202f;; supprimez l’une des deux</translation>
     </message>
     <message>
         <source>it sews the same stretches as %1, but the other way round: each would be folded onto itself; remove one of the two</source>
-        <translation>elle coud les mêmes tronçons que %1, mais en sens inverse : chacun serait replié sur lui-même ; supprimez l’une des deux</translation>
+        <translation>elle coud les mêmes tronçons que %1, mais en sens inverse&#x202f;: chacun serait replié sur lui-même&#x202f;; supprimez l’une des deux</translation>
     </message>
     <message>
         <source>&quot;%1&quot; goes up with &quot;..&quot;; write the way from the design&apos;s folder without it, or copy the file there</source>
-        <translation>« %1 » remonte avec « .. » ; écrivez le chemin depuis le dossier du modèle sans cela, ou copiez-y le fichier</translation>
+        <translation>«&#x202f;%1&#x202f;» remonte avec «&#x202f;..&#x202f;»&#x202f;; écrivez le chemin depuis le dossier du modèle sans cela, ou copiez-y le fichier</translation>
     </message>
     <message>
         <source>the number %1 is too large or too small; stay within %2</source>
-        <translation>le nombre %1 est trop grand ou trop petit ; restez dans %2</translation>
+        <translation>le nombre %1 est trop grand ou trop petit&#x202f;; restez dans %2</translation>
     </message>
     <message>
         <source>the text is UTF-16; save it as UTF-8</source>
-        <translation>le texte est en UTF-16 ; enregistrez-le en UTF-8</translation>
+        <translation>le texte est en UTF-16&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
-        <translation>Après %1 itérations, la surface bouge encore de %2 mm à chacune : elle ne se stabilise pas. Réduisez la pression, ou donnez aux courbes la longueur des contours qu’elles tiennent.</translation>
+        <translation>Après %1 itérations, la surface bouge encore de %2&#xa0;mm à chacune&#x202f;: elle ne se stabilise pas. Réduisez la pression, ou donnez aux courbes la longueur des contours qu’elles tiennent.</translation>
     </message>
     <message>
         <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
@@ -3669,7 +3750,7 @@
     </message>
     <message>
         <source>there is either a normal or a tangent; remove one of them</source>
-        <translation>il y a soit une normale, soit une tangente ; supprimez l’une des deux</translation>
+        <translation>il y a soit une normale, soit une tangente&#x202f;; supprimez l’une des deux</translation>
     </message>
     <message>
         <source>there are %1 directions, but at most %2 are possible</source>
@@ -3681,11 +3762,11 @@
     </message>
     <message>
         <source>direction %1 is opposite to the one before, so that it is not known on which way to turn; add one between them</source>
-        <translation>la direction %1 est opposée à la précédente, si bien que le sens de rotation est inconnu ; ajoutez-en une entre elles</translation>
+        <translation>la direction %1 est opposée à la précédente, si bien que le sens de rotation est inconnu&#x202f;; ajoutez-en une entre elles</translation>
     </message>
     <message>
         <source>there is no curve; name one, or leave out curve_from and curve_to</source>
-        <translation>il n’y a pas de courbe ; indiquez-en une, ou omettez curve_from et curve_to</translation>
+        <translation>il n’y a pas de courbe&#x202f;; indiquez-en une, ou omettez curve_from et curve_to</translation>
     </message>
     <message>
         <source>Change the normal held by %1</source>
@@ -3717,55 +3798,55 @@
     </message>
     <message>
         <source>a width of %1 mm is too narrow for edges of %2 mm; make it at least %3 mm wide, or choose a smaller edge length</source>
-        <translation>une largeur de %1 mm est trop étroite pour des arêtes de %2 mm ; donnez-lui au moins %3 mm, ou choisissez une longueur d’arête plus petite</translation>
+        <translation>une largeur de %1&#xa0;mm est trop étroite pour des arêtes de %2&#xa0;mm&#x202f;; donnez-lui au moins %3&#xa0;mm, ou choisissez une longueur d’arête plus petite</translation>
     </message>
     <message>
         <source>it lies outside its patch; move its points inside the outline</source>
-        <translation>elle est hors de sa pièce ; déplacez ses points dans le contour</translation>
+        <translation>elle est hors de sa pièce&#x202f;; déplacez ses points dans le contour</translation>
     </message>
     <message>
         <source>it leaves the patch and comes back; keep it inside, or end it at the outline</source>
-        <translation>elle quitte la pièce et y revient ; gardez-la à l’intérieur, ou finissez-la au contour</translation>
+        <translation>elle quitte la pièce et y revient&#x202f;; gardez-la à l’intérieur, ou finissez-la au contour</translation>
     </message>
     <message>
         <source>it runs too flat into the outline near %1; let it meet the outline more steeply, or end it before</source>
-        <translation>elle arrive trop à plat sur le contour près de %1 ; faites-la arriver plus droit, ou finissez-la avant</translation>
+        <translation>elle arrive trop à plat sur le contour près de %1&#x202f;; faites-la arriver plus droit, ou finissez-la avant</translation>
     </message>
     <message>
         <source>it bends too sharply for a width of %1 mm near %2; make it narrower, or bend it less there</source>
-        <translation>elle se courbe trop près de %2 pour une largeur de %1 mm ; rétrécissez-la, ou courbez-la moins à cet endroit</translation>
+        <translation>elle se courbe trop près de %2 pour une largeur de %1&#xa0;mm&#x202f;; rétrécissez-la, ou courbez-la moins à cet endroit</translation>
     </message>
     <message>
         <source>a cushion takes at most %1 bodies of foam; this one is left out</source>
-        <translation>un rembourrage prend au plus %1 blocs de mousse ; celui-ci est omis</translation>
+        <translation>un rembourrage prend au plus %1 blocs de mousse&#x202f;; celui-ci est omis</translation>
     </message>
     <message>
         <source>the frame has no part &quot;%1&quot;; it has %2</source>
-        <translation>l’armature n’a pas de partie « %1 » ; elle a %2</translation>
+        <translation>l’armature n’a pas de partie «&#x202f;%1&#x202f;»&#x202f;; elle a %2</translation>
     </message>
     <message>
         <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
-        <translation>elle ne mesure que %1 mm ; dessinez-la d’au moins %2 mm, ou choisissez une longueur d’arête plus petite</translation>
+        <translation>elle ne mesure que %1&#xa0;mm&#x202f;; dessinez-la d’au moins %2&#xa0;mm, ou choisissez une longueur d’arête plus petite</translation>
     </message>
     <message>
         <source>it reaches beyond its patch near %1; move its points inside the outline</source>
-        <translation>elle dépasse de sa pièce près de %1 ; déplacez ses points dans le contour</translation>
+        <translation>elle dépasse de sa pièce près de %1&#x202f;; déplacez ses points dans le contour</translation>
     </message>
     <message>
         <source>it comes closer than %1 mm to the outline near %2; keep away from it, or choose a smaller edge length</source>
-        <translation>elle est à moins de %1 mm du contour près de %2 ; éloignez-la, ou choisissez une longueur d’arête plus petite</translation>
+        <translation>elle est à moins de %1&#xa0;mm du contour près de %2&#x202f;; éloignez-la, ou choisissez une longueur d’arête plus petite</translation>
     </message>
     <message>
         <source>it crosses %1, or comes closer to it than %2 mm, near %3; move them apart, or choose a smaller edge length</source>
-        <translation>elle croise %1, ou s’en approche à moins de %2 mm, près de %3 ; écartez-les, ou choisissez une longueur d’arête plus petite</translation>
+        <translation>elle croise %1, ou s’en approche à moins de %2&#xa0;mm, près de %3&#x202f;; écartez-les, ou choisissez une longueur d’arête plus petite</translation>
     </message>
     <message>
         <source>it crosses itself, or comes closer to itself than %1 mm, near %2; move its points apart, or choose a smaller edge length</source>
-        <translation>elle se croise, ou s’approche d’elle-même à moins de %1 mm, près de %2 ; écartez ses points, ou choisissez une longueur d’arête plus petite</translation>
+        <translation>elle se croise, ou s’approche d’elle-même à moins de %1&#xa0;mm, près de %2&#x202f;; écartez ses points, ou choisissez une longueur d’arête plus petite</translation>
     </message>
     <message>
         <source>the patch cannot be triangulated along it with edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>la pièce ne peut pas être triangulée le long de cette courbe avec des arêtes de %1 mm. Choisissez une longueur d’arête plus petite.</translation>
+        <translation>la pièce ne peut pas être triangulée le long de cette courbe avec des arêtes de %1&#xa0;mm. Choisissez une longueur d’arête plus petite.</translation>
     </message>
     <message>
         <source>Change the frame of %1</source>
@@ -3853,7 +3934,7 @@
     </message>
     <message>
         <source>it is a file that this design refers to; choose another name</source>
-        <translation>c’est un fichier auquel ce modèle renvoie ; choisissez un autre nom</translation>
+        <translation>c’est un fichier auquel ce modèle renvoie&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>There is no cover to place the scan on.</source>
@@ -3873,23 +3954,23 @@
     </message>
     <message>
         <source>the first three numbers are the plane&apos;s normal; not all of them may be 0</source>
-        <translation>les trois premiers nombres sont la normale du plan ; ils ne peuvent pas tous être 0</translation>
+        <translation>les trois premiers nombres sont la normale du plan&#x202f;; ils ne peuvent pas tous être 0</translation>
     </message>
     <message>
         <source>no file is named; write the name of a file beside the design</source>
-        <translation>aucun fichier n’est indiqué ; écrivez le nom d’un fichier placé à côté du modèle</translation>
+        <translation>aucun fichier n’est indiqué&#x202f;; écrivez le nom d’un fichier placé à côté du modèle</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no file in the design&apos;s folder; copy the file into that folder and name it here</source>
-        <translation>« %1 » n’est pas un fichier du dossier du modèle ; copiez le fichier dans ce dossier et indiquez-le ici</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier du dossier du modèle&#x202f;; copiez le fichier dans ce dossier et indiquez-le ici</translation>
     </message>
     <message>
         <source>there is no file &quot;%1&quot; in the design&apos;s folder; copy the file there or choose another one</source>
-        <translation>il n’y a pas de fichier « %1 » dans le dossier du modèle ; copiez-y le fichier ou choisissez-en un autre</translation>
+        <translation>il n’y a pas de fichier «&#x202f;%1&#x202f;» dans le dossier du modèle&#x202f;; copiez-y le fichier ou choisissez-en un autre</translation>
     </message>
     <message>
         <source>with this scale and position the points reach beyond 10,000,000 mm</source>
-        <translation>avec cette échelle et cette position, les points dépassent 10 000 000 mm</translation>
+        <translation>avec cette échelle et cette position, les points dépassent 10&#x202f;000&#x202f;000&#xa0;mm</translation>
     </message>
     <message>
         <source>Add scan %1</source>
@@ -3913,23 +3994,23 @@
     </message>
     <message>
         <source>%1: the scan is too large, the limit is %2 points</source>
-        <translation>%1 : le scan est trop grand, la limite est de %2 points</translation>
+        <translation>%1&#x202f;: le scan est trop grand, la limite est de %2 points</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not expected in a PCD header</source>
-        <translation>%1 : « %2 » n’est pas attendu dans un en-tête PCD</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas attendu dans un en-tête PCD</translation>
     </message>
     <message>
         <source>%1: the compressed points are damaged</source>
-        <translation>%1 : les points compressés sont endommagés</translation>
+        <translation>%1&#x202f;: les points compressés sont endommagés</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a PCD format</source>
-        <translation>%1 : « %2 » n’est pas un format PCD</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas un format PCD</translation>
     </message>
     <message>
         <source>the cuts leave nothing of the scan; remove one of them</source>
-        <translation>les découpes ne laissent rien du scan ; supprimez-en une</translation>
+        <translation>les découpes ne laissent rien du scan&#x202f;; supprimez-en une</translation>
     </message>
     <message>
         <source>Change the threshold of %1</source>
@@ -3965,7 +4046,7 @@
     </message>
     <message>
         <source>element %1 cannot be its twin: that must be another %2 which is nobody else&apos;s; until then it has none</source>
-        <translation>l’élément %1 ne peut pas être son jumeau : il faut un autre élément du type %2, qui ne soit celui de personne ; d’ici là, il n’en a pas</translation>
+        <translation>l’élément %1 ne peut pas être son jumeau&#x202f;: il faut un autre élément du type %2, qui ne soit celui de personne&#x202f;; d’ici là, il n’en a pas</translation>
     </message>
     <message>
         <source>there is no point %1</source>
@@ -3973,19 +4054,19 @@
     </message>
     <message>
         <source>its points and knots are not those of %1; the next edit of one of them makes it the mirror image</source>
-        <translation>ses points et nœuds ne sont pas ceux de %1 ; la prochaine modification de l’un des deux en fera l’image miroir</translation>
+        <translation>ses points et nœuds ne sont pas ceux de %1&#x202f;; la prochaine modification de l’un des deux en fera l’image miroir</translation>
     </message>
     <message>
         <source>%1 of its points are no mirror images of those of %2; release them, or move them</source>
-        <translation>%1 de ses points ne sont pas les images miroir de ceux de %2 ; libérez-les ou déplacez-les</translation>
+        <translation>%1 de ses points ne sont pas les images miroir de ceux de %2&#x202f;; libérez-les ou déplacez-les</translation>
     </message>
     <message>
         <source>the plane needs a normal that is not 0, and numbers within 1e7; x = 0 is used instead</source>
-        <translation>le plan demande une normale non nulle et des nombres jusqu’à 1e7 ; x = 0 est utilisé à la place</translation>
+        <translation>le plan demande une normale non nulle et des nombres jusqu’à 1e7&#x202f;; x = 0 est utilisé à la place</translation>
     </message>
     <message>
         <source>the axis needs a direction that is not 0, and numbers within 1e7; x = 0 is used instead</source>
-        <translation>l’axe demande une direction non nulle et des nombres jusqu’à 1e7 ; x = 0 est utilisé à la place</translation>
+        <translation>l’axe demande une direction non nulle et des nombres jusqu’à 1e7&#x202f;; x = 0 est utilisé à la place</translation>
     </message>
     <message>
         <source>The clipboard holds no parts of a design.</source>
@@ -4037,7 +4118,7 @@
     </message>
     <message>
         <source>A part of this stretch is fixed to %1 already: remove that fixation or choose another stretch.</source>
-        <translation>Une partie de ce tronçon est déjà fixée à %1 : supprimez cette fixation ou choisissez un autre tronçon.</translation>
+        <translation>Une partie de ce tronçon est déjà fixée à %1&#x202f;: supprimez cette fixation ou choisissez un autre tronçon.</translation>
     </message>
     <message>
         <source>Create fixation curve %1</source>
@@ -4069,7 +4150,7 @@
     </message>
     <message>
         <source>They are no mirror images: they differ by %1 mm. Twins must be alike; make a mirror twin of one of them instead.</source>
-        <translation>Ce ne sont pas des images miroir : elles diffèrent de %1 mm. Des jumeaux doivent se ressembler ; créez plutôt un jumeau symétrique de l’une d’elles.</translation>
+        <translation>Ce ne sont pas des images miroir&#x202f;: elles diffèrent de %1&#xa0;mm. Des jumeaux doivent se ressembler&#x202f;; créez plutôt un jumeau symétrique de l’une d’elles.</translation>
     </message>
     <message>
         <source>Make a mirror twin of %1</source>
@@ -4081,23 +4162,23 @@
     </message>
     <message>
         <source>A patch of the seam is missing or invalid: repair it first.</source>
-        <translation>Une pièce de la couture manque ou n’est pas valide : réparez-la d’abord.</translation>
+        <translation>Une pièce de la couture manque ou n’est pas valide&#x202f;: réparez-la d’abord.</translation>
     </message>
     <message>
         <source>The seam joins %1 to itself: there is nothing to merge.</source>
-        <translation>La couture joint %1 à elle-même : il n’y a rien à fusionner.</translation>
+        <translation>La couture joint %1 à elle-même&#x202f;: il n’y a rien à fusionner.</translation>
     </message>
     <message>
         <source>The seam takes up a whole outline: nothing would be left.</source>
-        <translation>La couture occupe tout un contour : il ne resterait rien.</translation>
+        <translation>La couture occupe tout un contour&#x202f;: il ne resterait rien.</translation>
     </message>
     <message>
         <source>The seam joins the right side of %1 to the wrong side of %2: one patch cannot be both.</source>
-        <translation>La couture joint l’endroit de %1 à l’envers de %2 : une pièce ne peut pas être les deux.</translation>
+        <translation>La couture joint l’endroit de %1 à l’envers de %2&#x202f;: une pièce ne peut pas être les deux.</translation>
     </message>
     <message>
         <source>The sides of the seam differ by %1 % in length, more than 5 %.</source>
-        <translation>Les côtés de la couture diffèrent de %1 % en longueur, plus de 5 %.</translation>
+        <translation>Les côtés de la couture diffèrent de %1&#x202f;% en longueur, plus de 5&#x202f;%.</translation>
     </message>
     <message>
         <source>Select the seam along which to merge.</source>
@@ -4105,7 +4186,7 @@
     </message>
     <message>
         <source>Merged, %1 and %2 would overlap or cross: the seam stays.</source>
-        <translation>Une fois fusionnées, %1 et %2 se chevaucheraient ou se croiseraient : la couture reste.</translation>
+        <translation>Une fois fusionnées, %1 et %2 se chevaucheraient ou se croiseraient&#x202f;: la couture reste.</translation>
     </message>
     <message>
         <source>Merge %1 and %2</source>
@@ -4137,7 +4218,7 @@
     </message>
     <message>
         <source>The outline of %1 is invalid: repair it first.</source>
-        <translation>Le contour de %1 n’est pas valide : réparez-le d’abord.</translation>
+        <translation>Le contour de %1 n’est pas valide&#x202f;: réparez-le d’abord.</translation>
     </message>
     <message>
         <source>The line must run inside %1.</source>
@@ -4145,7 +4226,7 @@
     </message>
     <message>
         <source>A piece of %1 would cross itself or be too narrow: draw another line.</source>
-        <translation>Un morceau de %1 se croiserait ou serait trop étroit : dessinez une autre ligne.</translation>
+        <translation>Un morceau de %1 se croiserait ou serait trop étroit&#x202f;: dessinez une autre ligne.</translation>
     </message>
     <message>
         <source>Sew %1 to %2</source>
@@ -4181,7 +4262,7 @@
     </message>
     <message>
         <source>This stretch has no length: choose two different points.</source>
-        <translation>Ce tronçon n’a pas de longueur : choisissez deux points différents.</translation>
+        <translation>Ce tronçon n’a pas de longueur&#x202f;: choisissez deux points différents.</translation>
     </message>
     <message>
         <source>Move an end of %1</source>
@@ -4189,11 +4270,11 @@
     </message>
     <message>
         <source>%1 is already sewn to %2 here: remove that seam first, or take a free stretch.</source>
-        <translation>%1 est déjà cousue à %2 ici : supprimez d’abord cette couture, ou prenez un tronçon libre.</translation>
+        <translation>%1 est déjà cousue à %2 ici&#x202f;: supprimez d’abord cette couture, ou prenez un tronçon libre.</translation>
     </message>
     <message>
         <source>A stretch cannot be sewn to itself: choose two that have no part in common.</source>
-        <translation>Un tronçon ne peut pas être cousu à lui-même : choisissez-en deux sans partie commune.</translation>
+        <translation>Un tronçon ne peut pas être cousu à lui-même&#x202f;: choisissez-en deux sans partie commune.</translation>
     </message>
     <message>
         <source>Unlink %1 and %2</source>
@@ -4265,7 +4346,7 @@
     </message>
     <message>
         <source>another element had the same number; give this one a number of its own</source>
-        <translation>un autre élément avait le même numéro ; donnez à celui-ci son propre numéro</translation>
+        <translation>un autre élément avait le même numéro&#x202f;; donnez à celui-ci son propre numéro</translation>
     </message>
     <message>
         <source>Take %1 elements from another version</source>
@@ -4277,7 +4358,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is not an ordinary file</source>
-        <translation>impossible d’écrire « %1 » : ce n’est pas un fichier ordinaire</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: ce n’est pas un fichier ordinaire</translation>
     </message>
     <message>
         <source>a file that the design uses cannot be read (%1)</source>
@@ -4289,35 +4370,35 @@
     </message>
     <message>
         <source>&quot;%1&quot; cannot be opened or made</source>
-        <translation>impossible d’ouvrir ou de créer « %1 »</translation>
+        <translation>impossible d’ouvrir ou de créer «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is in use by another program</source>
-        <translation>« %1 » est utilisé par un autre programme</translation>
+        <translation>«&#x202f;%1&#x202f;» est utilisé par un autre programme</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged (%2)</source>
-        <translation>« %1 » est endommagé (%2)</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be read or written (%2)</source>
-        <translation>impossible de lire ou d’écrire « %1 » (%2)</translation>
+        <translation>impossible de lire ou d’écrire «&#x202f;%1&#x202f;» (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is closed</source>
-        <translation>« %1 » est fermé</translation>
+        <translation>«&#x202f;%1&#x202f;» est fermé</translation>
     </message>
     <message>
         <source>%1 cannot be stored: it holds a number that is none, or text in an unknown encoding</source>
-        <translation>impossible d’enregistrer %1 : il contient un nombre qui n’en est pas un, ou un texte au codage inconnu</translation>
+        <translation>impossible d’enregistrer %1&#x202f;: il contient un nombre qui n’en est pas un, ou un texte au codage inconnu</translation>
     </message>
     <message>
         <source>there is a file &quot;%1&quot; already</source>
-        <translation>il y a déjà un fichier « %1 »</translation>
+        <translation>il y a déjà un fichier «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no Bolster project</source>
-        <translation>« %1 » n’est pas un projet Bolster</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un projet Bolster</translation>
     </message>
     <message>
         <source>there is not enough memory for this project</source>
@@ -4329,23 +4410,23 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no name for a file of a project</source>
-        <translation>« %1 » n’est pas un nom pour un fichier de projet</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nom pour un fichier de projet</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was made by a newer Bolster (version %2 of the format, this program knows %3); update the program</source>
-        <translation>« %1 » vient d’un Bolster plus récent (version %2 du format, ce programme connaît %3) ; mettez le programme à jour</translation>
+        <translation>«&#x202f;%1&#x202f;» vient d’un Bolster plus récent (version %2 du format, ce programme connaît %3)&#x202f;; mettez le programme à jour</translation>
     </message>
     <message>
         <source>&quot;%1&quot; says that it has version %2 of the format, which never was</source>
-        <translation>« %1 » dit avoir la version %2 du format, qui n’a jamais existé</translation>
+        <translation>«&#x202f;%1&#x202f;» dit avoir la version %2 du format, qui n’a jamais existé</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is the journal of a running program, or of one that crashed, not a project file</source>
-        <translation>« %1 » est le journal d’un programme en cours ou planté, pas un fichier de projet</translation>
+        <translation>«&#x202f;%1&#x202f;» est le journal d’un programme en cours ou planté, pas un fichier de projet</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: it is %2 bytes long and should have %3</source>
-        <translation>« %1 » est endommagé : il fait %2 octets et devrait en faire %3</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: il fait %2 octets et devrait en faire %3</translation>
     </message>
     <message>
         <source>a temporary folder cannot be made (%1)</source>
@@ -4357,7 +4438,7 @@
     </message>
     <message>
         <source>nothing in &quot;%1&quot; can be saved</source>
-        <translation>rien dans « %1 » ne peut être récupéré</translation>
+        <translation>rien dans «&#x202f;%1&#x202f;» ne peut être récupéré</translation>
     </message>
     <message>
         <source>%1 versions were saved</source>
@@ -4365,7 +4446,7 @@
     </message>
     <message>
         <source>lost: versions %1 to %2</source>
-        <translation>perdu : versions %1 à %2</translation>
+        <translation>perdu&#x202f;: versions %1 à %2</translation>
     </message>
     <message>
         <source>Saved version</source>
@@ -4377,15 +4458,15 @@
     </message>
     <message>
         <source>lost: the names of %1 versions</source>
-        <translation>perdu : les noms de %1 versions</translation>
+        <translation>perdu&#x202f;: les noms de %1 versions</translation>
     </message>
     <message>
         <source>lost: the file &quot;%1&quot;</source>
-        <translation>perdu : le fichier « %1 »</translation>
+        <translation>perdu&#x202f;: le fichier «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>the tables of &quot;%1&quot; are not those of a Bolster project</source>
-        <translation>les tables de « %1 » ne sont pas celles d’un projet Bolster</translation>
+        <translation>les tables de «&#x202f;%1&#x202f;» ne sont pas celles d’un projet Bolster</translation>
     </message>
     <message>
         <source>a checksum is incomplete</source>
@@ -4405,11 +4486,11 @@
     </message>
     <message>
         <source>there is no colourway %1; the patches show their own fabrics</source>
-        <translation>il n’y a pas de coloris %1 ; les pièces montrent leurs propres tissus</translation>
+        <translation>il n’y a pas de coloris %1&#x202f;; les pièces montrent leurs propres tissus</translation>
     </message>
     <message>
         <source>%1 has a fabric in this colourway already; remove one of the two</source>
-        <translation>%1 a déjà un tissu dans ce coloris ; supprimez l’un des deux</translation>
+        <translation>%1 a déjà un tissu dans ce coloris&#x202f;; supprimez l’un des deux</translation>
     </message>
     <message>
         <source>shown in the usual way instead</source>
@@ -4473,7 +4554,7 @@
     </message>
     <message>
         <source>A part of this stretch of %1 has a trim already: change that one, or choose another stretch.</source>
-        <translation>Une partie de ce tronçon de %1 a déjà une finition : modifiez celle-ci, ou choisissez un autre tronçon.</translation>
+        <translation>Une partie de ce tronçon de %1 a déjà une finition&#x202f;: modifiez celle-ci, ou choisissez un autre tronçon.</translation>
     </message>
     <message>
         <source>Trim the edge of %1</source>
@@ -4481,51 +4562,51 @@
     </message>
     <message>
         <source>%1: the file cannot be read any further; it has changed, or its disk is gone</source>
-        <translation>%1 : impossible de lire la suite du fichier ; il a changé, ou son disque n’est plus là</translation>
+        <translation>%1&#x202f;: impossible de lire la suite du fichier&#x202f;; il a changé, ou son disque n’est plus là</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a picture that can be read; PNG, JPEG, TIFF and OpenEXR can</source>
-        <translation>« %1 » n’est pas une image lisible ; PNG, JPEG, TIFF et OpenEXR le sont</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une image lisible&#x202f;; PNG, JPEG, TIFF et OpenEXR le sont</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has %2 by %3 pixels, and at most 64 million are read; make the picture smaller in a picture editor</source>
-        <translation>« %1 » fait %2 sur %3 pixels, et 64 millions au plus sont lus ; réduisez l’image dans un éditeur d’images</translation>
+        <translation>«&#x202f;%1&#x202f;» fait %2 sur %3 pixels, et 64 millions au plus sont lus&#x202f;; réduisez l’image dans un éditeur d’images</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is a kind of picture whose colours cannot be read; save it as PNG in a picture editor</source>
-        <translation>« %1 » est un type d’image aux couleurs illisibles ; enregistrez-la en PNG dans un éditeur d’images</translation>
+        <translation>«&#x202f;%1&#x202f;» est un type d’image aux couleurs illisibles&#x202f;; enregistrez-la en PNG dans un éditeur d’images</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged or incomplete; copy it again from where it came from, or save it again in a picture editor</source>
-        <translation>« %1 » est endommagé ou incomplet ; recopiez-le depuis son origine, ou réenregistrez-le dans un éditeur d’images</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé ou incomplet&#x202f;; recopiez-le depuis son origine, ou réenregistrez-le dans un éditeur d’images</translation>
     </message>
     <message>
         <source>the program &quot;%1&quot;, which reads pictures for Bolster, cannot be started; install Bolster again</source>
-        <translation>le programme « %1 », qui lit les images pour Bolster, ne démarre pas ; réinstallez Bolster</translation>
+        <translation>le programme «&#x202f;%1&#x202f;», qui lit les images pour Bolster, ne démarre pas&#x202f;; réinstallez Bolster</translation>
     </message>
     <message>
         <source>&quot;%1&quot; takes too long to read; save it as PNG in a picture editor</source>
-        <translation>« %1 » est trop long à lire ; enregistrez-le en PNG dans un éditeur d’images</translation>
+        <translation>«&#x202f;%1&#x202f;» est trop long à lire&#x202f;; enregistrez-le en PNG dans un éditeur d’images</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be decoded: it is damaged or incomplete, or needs too much memory; save it again as PNG in a picture editor</source>
-        <translation>impossible de décoder « %1 » : il est endommagé ou incomplet, ou demande trop de mémoire ; réenregistrez-le en PNG dans un éditeur d’images</translation>
+        <translation>impossible de décoder «&#x202f;%1&#x202f;»&#x202f;: il est endommagé ou incomplet, ou demande trop de mémoire&#x202f;; réenregistrez-le en PNG dans un éditeur d’images</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this picture</source>
-        <translation>%1 : la mémoire ne suffit pas pour cette image</translation>
+        <translation>%1&#x202f;: la mémoire ne suffit pas pour cette image</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this file</source>
-        <translation>%1 : la mémoire ne suffit pas pour ce fichier</translation>
+        <translation>%1&#x202f;: la mémoire ne suffit pas pour ce fichier</translation>
     </message>
     <message>
         <source>%1: the line is too long</source>
-        <translation>%1 : la ligne est trop longue</translation>
+        <translation>%1&#x202f;: la ligne est trop longue</translation>
     </message>
     <message>
         <source>both have a file &quot;%1&quot;, and they are different: save under another name</source>
-        <translation>les deux ont un fichier « %1 », et ils sont différents : enregistrez sous un autre nom</translation>
+        <translation>les deux ont un fichier «&#x202f;%1&#x202f;», et ils sont différents&#x202f;: enregistrez sous un autre nom</translation>
     </message>
     <message>
         <source>there is another project in the file now</source>
@@ -4553,11 +4634,11 @@
     </message>
     <message>
         <source>there is no fabric in &quot;%1&quot;</source>
-        <translation>il n’y a pas de tissu dans « %1 »</translation>
+        <translation>il n’y a pas de tissu dans «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>the design uses &quot;%1&quot; itself; choose another name</source>
-        <translation>le modèle lui-même utilise « %1 » ; choisissez un autre nom</translation>
+        <translation>le modèle lui-même utilise «&#x202f;%1&#x202f;»&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>there is not enough memory to show this fabric</source>
@@ -4589,11 +4670,11 @@
     </message>
     <message>
         <source>A side of this seam does not end at corners: its length cannot be changed alone.</source>
-        <translation>Un côté de cette couture ne finit pas à des coins : sa longueur ne peut pas être modifiée seule.</translation>
+        <translation>Un côté de cette couture ne finit pas à des coins&#x202f;: sa longueur ne peut pas être modifiée seule.</translation>
     </message>
     <message>
         <source>These edges cannot have this length: they hang together.</source>
-        <translation>Ces bords ne peuvent pas avoir cette longueur : ils se tiennent.</translation>
+        <translation>Ces bords ne peuvent pas avoir cette longueur&#x202f;: ils se tiennent.</translation>
     </message>
     <message>
         <source>Change the length of an edge of %1</source>
@@ -4617,7 +4698,7 @@
     </message>
     <message>
         <source>There is a &quot;%1&quot; already: this one is called &quot;%2&quot;.</source>
-        <translation>Il y a déjà « %1 » : celui-ci s’appelle « %2 ».</translation>
+        <translation>Il y a déjà «&#x202f;%1&#x202f;»&#x202f;: celui-ci s’appelle «&#x202f;%2&#x202f;».</translation>
     </message>
     <message>
         <source>Change the size of %1 patches</source>
@@ -4625,31 +4706,31 @@
     </message>
     <message>
         <source>%1: the rows hold more than the header of the file says; what is too much in each was left out</source>
-        <translation>%1 : les lignes contiennent plus que ne dit l’en-tête du fichier ; le surplus de chacune a été omis</translation>
+        <translation>%1&#x202f;: les lignes contiennent plus que ne dit l’en-tête du fichier&#x202f;; le surplus de chacune a été omis</translation>
     </message>
     <message>
         <source>this changes more at once than can be stored: at most %1 MB, and %2 keys; do it in parts</source>
-        <translation>cela modifie plus à la fois que ce qui peut être enregistré : au plus %1 Mo et %2 clés ; procédez par parties</translation>
+        <translation>cela modifie plus à la fois que ce qui peut être enregistré&#x202f;: au plus %1&#xa0;Mo et %2 clés&#x202f;; procédez par parties</translation>
     </message>
     <message>
         <source>&quot;%1&quot; unpacks to more than any project; it was not made by Bolster, or is damaged</source>
-        <translation>« %1 » est plus grand qu’aucun projet une fois décompressé ; il ne vient pas de Bolster, ou il est endommagé</translation>
+        <translation>«&#x202f;%1&#x202f;» est plus grand qu’aucun projet une fois décompressé&#x202f;; il ne vient pas de Bolster, ou il est endommagé</translation>
     </message>
     <message>
         <source>the program &quot;%1&quot;, which recovers projects for Bolster, cannot be started; install Bolster again</source>
-        <translation>le programme « %1 », qui récupère les projets pour Bolster, ne démarre pas ; réinstallez Bolster</translation>
+        <translation>le programme «&#x202f;%1&#x202f;», qui récupère les projets pour Bolster, ne démarre pas&#x202f;; réinstallez Bolster</translation>
     </message>
     <message>
         <source>nothing in &quot;%1&quot; can be saved: it is damaged in a way that takes too much time or memory</source>
-        <translation>rien dans « %1 » ne peut être récupéré : il est endommagé au point de demander trop de temps ou de mémoire</translation>
+        <translation>rien dans «&#x202f;%1&#x202f;» ne peut être récupéré&#x202f;: il est endommagé au point de demander trop de temps ou de mémoire</translation>
     </message>
     <message>
         <source>lost: the table &quot;%1&quot;, which is missing or has other columns than it should</source>
-        <translation>perdu : la table « %1 », qui manque ou n’a pas les colonnes voulues</translation>
+        <translation>perdu&#x202f;: la table «&#x202f;%1&#x202f;», qui manque ou n’a pas les colonnes voulues</translation>
     </message>
     <message>
         <source>lost: %1 more such gaps</source>
-        <translation>perdu : encore %1 lacunes de ce genre</translation>
+        <translation>perdu&#x202f;: encore %1 lacunes de ce genre</translation>
     </message>
     <message>
         <source>what comes after version %1 takes too long to recover</source>
@@ -4661,43 +4742,43 @@
     </message>
     <message>
         <source>it pushes nothing: no part of the frame lies under the cover</source>
-        <translation>il ne pousse rien : aucune partie de l’armature n’est sous la housse</translation>
+        <translation>il ne pousse rien&#x202f;: aucune partie de l’armature n’est sous la housse</translation>
     </message>
     <message>
         <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
-        <translation>le contact examine l’armature par pas de %1 mm ; quelque chose y est plus mince dans ces parties, si bien que la housse peut traverser : %2 ; épaississez-le</translation>
+        <translation>le contact examine l’armature par pas de %1&#xa0;mm&#x202f;; quelque chose y est plus mince dans ces parties, si bien que la housse peut traverser&#x202f;: %2&#x202f;; épaississez-le</translation>
     </message>
     <message>
         <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
-        <translation>le contact ne fait rien : par pas de %1 mm, il ne trouve pas d’intérieur à l’armature, qui est plus mince, ou trop ouverte pour en avoir un ; fermez l’armature, ou épaississez-la</translation>
+        <translation>le contact ne fait rien&#x202f;: par pas de %1&#xa0;mm, il ne trouve pas d’intérieur à l’armature, qui est plus mince, ou trop ouverte pour en avoir un&#x202f;; fermez l’armature, ou épaississez-la</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 est étirée de %2 % en droit-fil, son tissu admet %3 %</translation>
+        <translation>%1 est étirée de %2&#x202f;% en droit-fil, son tissu admet %3&#x202f;%</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 est étirée de %2 % en travers, son tissu admet %3 %</translation>
+        <translation>%1 est étirée de %2&#x202f;% en travers, son tissu admet %3&#x202f;%</translation>
     </message>
     <message>
         <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 est cisaillée de %2 %, son tissu admet %3 %</translation>
+        <translation>%1 est cisaillée de %2&#x202f;%, son tissu admet %3&#x202f;%</translation>
     </message>
     <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
-        <translation>%1 fait des plis : il y a plus de tissu que de place</translation>
+        <translation>%1 fait des plis&#x202f;: il y a plus de tissu que de place</translation>
     </message>
     <message>
         <source>%1 floats free: nothing holds it, and it is sewn to nothing that is held</source>
-        <translation>%1 flotte librement : rien ne la tient, et elle n’est cousue à rien qui soit tenu</translation>
+        <translation>%1 flotte librement&#x202f;: rien ne la tient, et elle n’est cousue à rien qui soit tenu</translation>
     </message>
     <message>
         <source>%1 holds the cloth %2 mm off the frame</source>
-        <translation>%1 tient le tissu à %2 mm de l’armature</translation>
+        <translation>%1 tient le tissu à %2&#xa0;mm de l’armature</translation>
     </message>
     <message>
         <source>The seam of %1 and %2 has %3 % ease: it puckers above %4 %</source>
-        <translation>La couture de %1 et %2 a %3 % d’embu : au-delà de %4 %, elle fronce</translation>
+        <translation>La couture de %1 et %2 a %3&#x202f;% d’embu&#x202f;: au-delà de %4&#x202f;%, elle fronce</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations.</source>
@@ -4705,15 +4786,15 @@
     </message>
     <message>
         <source>The surface ran away after %1 iterations: %2 holds it %3 mm from everything else. Bring that curve nearer.</source>
-        <translation>La surface s’est échappée après %1 itérations : %2 la tient à %3 mm de tout le reste. Rapprochez cette courbe.</translation>
+        <translation>La surface s’est échappée après %1 itérations&#x202f;: %2 la tient à %3&#xa0;mm de tout le reste. Rapprochez cette courbe.</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: %1 is degenerate or its numbers are too large. Check its outline and its fabric.</source>
-        <translation>Les équations de la housse n’ont pas pu être résolues : %1 est dégénérée ou ses nombres sont trop grands. Vérifiez son contour et son tissu.</translation>
+        <translation>Les équations de la housse n’ont pas pu être résolues&#x202f;: %1 est dégénérée ou ses nombres sont trop grands. Vérifiez son contour et son tissu.</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations: the pressure of %2 (%3) is too high for its fabric. Lower it.</source>
-        <translation>La surface s’est échappée après %1 itérations : la pression de %2 (%3) est trop forte pour son tissu. Réduisez-la.</translation>
+        <translation>La surface s’est échappée après %1 itérations&#x202f;: la pression de %2 (%3) est trop forte pour son tissu. Réduisez-la.</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations, most likely because of %2. Check the size of that patch, its pressure and its fabric.</source>
@@ -4737,51 +4818,51 @@
     </message>
     <message>
         <source>&quot;%1&quot; is a link to &quot;%2&quot; now</source>
-        <translation>« %1 » est maintenant un lien vers « %2 »</translation>
+        <translation>«&#x202f;%1&#x202f;» est maintenant un lien vers «&#x202f;%2&#x202f;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was changed by another program</source>
-        <translation>« %1 » a été modifié par un autre programme</translation>
+        <translation>«&#x202f;%1&#x202f;» a été modifié par un autre programme</translation>
     </message>
     <message>
         <source>somebody else has changed &quot;%1&quot; since it was opened here</source>
-        <translation>quelqu’un d’autre a modifié « %1 » depuis son ouverture ici</translation>
+        <translation>quelqu’un d’autre a modifié «&#x202f;%1&#x202f;» depuis son ouverture ici</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is another project now</source>
-        <translation>« %1 » est maintenant un autre projet</translation>
+        <translation>«&#x202f;%1&#x202f;» est maintenant un autre projet</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be renamed (%2)</source>
-        <translation>impossible de renommer « %1 » (%2)</translation>
+        <translation>impossible de renommer «&#x202f;%1&#x202f;» (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: the content number %2 cannot be read</source>
-        <translation>« %1 » est endommagé : le contenu numéro %2 est illisible</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: le contenu numéro %2 est illisible</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: a row holds something of another kind than it should</source>
-        <translation>« %1 » est endommagé : une ligne contient une donnée d’un autre type que prévu</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: une ligne contient une donnée d’un autre type que prévu</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: row %2 of the table &quot;%3&quot; contradicts others</source>
-        <translation>« %1 » est endommagé : la ligne %2 de la table « %3 » en contredit d’autres</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: la ligne %2 de la table «&#x202f;%3&#x202f;» en contredit d’autres</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: parts of the file are not what was written</source>
-        <translation>« %1 » est endommagé : des parties du fichier ne sont pas ce qui a été écrit</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: des parties du fichier ne sont pas ce qui a été écrit</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: rows are missing, or there are some too many</source>
-        <translation>« %1 » est endommagé : il manque des lignes, ou il y en a trop</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: il manque des lignes, ou il y en a trop</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: the edits up to number %2 do not lead to the design that was stored with them</source>
-        <translation>« %1 » est endommagé : les modifications jusqu’au numéro %2 ne mènent pas au modèle enregistré avec elles</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: les modifications jusqu’au numéro %2 ne mènent pas au modèle enregistré avec elles</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: row %2 of the table &quot;%3&quot; is not what was written</source>
-        <translation>« %1 » est endommagé : la ligne %2 de la table « %3 » n’est pas ce qui a été écrit</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé&#x202f;: la ligne %2 de la table «&#x202f;%3&#x202f;» n’est pas ce qui a été écrit</translation>
     </message>
     <message>
         <source>there is no picture to write</source>
@@ -4789,11 +4870,11 @@
     </message>
     <message>
         <source>%1: a face has %2 corners, and at most %3 are read; have it split into triangles by the program that has made the file</source>
-        <translation>%1 : une face a %2 coins, et %3 au plus sont lus ; faites-la diviser en triangles par le programme qui a créé le fichier</translation>
+        <translation>%1&#x202f;: une face a %2 coins, et %3 au plus sont lus&#x202f;; faites-la diviser en triangles par le programme qui a créé le fichier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: no file can be made in &quot;%2&quot;; choose another folder</source>
-        <translation>impossible d’écrire « %1 » : aucun fichier ne peut être créé dans « %2 » ; choisissez un autre dossier</translation>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;»&#x202f;: aucun fichier ne peut être créé dans «&#x202f;%2&#x202f;»&#x202f;; choisissez un autre dossier</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -4801,7 +4882,7 @@
     </message>
     <message>
         <source>at most %1 cushions push; this one and those after it are left out</source>
-        <translation>%1 rembourrages au plus poussent ; celui-ci et les suivants sont omis</translation>
+        <translation>%1 rembourrages au plus poussent&#x202f;; celui-ci et les suivants sont omis</translation>
     </message>
     <message>
         <source>the picture cannot be encoded (%1)</source>
@@ -4809,15 +4890,15 @@
     </message>
     <message>
         <source>a smallest detail of %1 mm is too fine for a frame as large as this (%2 million cubes of it, and %3 are the limit), so the cushion is left out; take at least %4 mm</source>
-        <translation>un plus petit détail de %1 mm est trop fin pour une armature aussi grande (%2 millions de cubes, la limite est de %3), le rembourrage est donc omis ; prenez au moins %4 mm</translation>
+        <translation>un plus petit détail de %1&#xa0;mm est trop fin pour une armature aussi grande (%2 millions de cubes, la limite est de %3), le rembourrage est donc omis&#x202f;; prenez au moins %4&#xa0;mm</translation>
     </message>
     <message>
         <source>something of these parts of the frame is thinner than the smallest detail of the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail</source>
-        <translation>quelque chose dans ces parties de l’armature est plus mince que le plus petit détail de la garniture, %1 mm, si bien qu’elle peut y avoir des trous : %2 ; prenez un détail plus petit</translation>
+        <translation>quelque chose dans ces parties de l’armature est plus mince que le plus petit détail de la garniture, %1&#xa0;mm, si bien qu’elle peut y avoir des trous&#x202f;: %2&#x202f;; prenez un détail plus petit</translation>
     </message>
     <message>
         <source>it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is thinner than that, or so open that it has none; take a smaller detail, or close the frame</source>
-        <translation>il ne pousse rien : avec un plus petit détail de %1 mm, l’armature n’a pas d’intérieur ; elle est plus mince, ou trop ouverte pour en avoir un ; prenez un détail plus petit, ou fermez l’armature</translation>
+        <translation>il ne pousse rien&#x202f;: avec un plus petit détail de %1&#xa0;mm, l’armature n’a pas d’intérieur&#x202f;; elle est plus mince, ou trop ouverte pour en avoir un&#x202f;; prenez un détail plus petit, ou fermez l’armature</translation>
     </message>
     <message>
         <source>Change the slanted faces of %1</source>
@@ -4829,23 +4910,23 @@
     </message>
     <message>
         <source>the log of &quot;%1&quot; is damaged: the last edits cannot be read</source>
-        <translation>le journal de « %1 » est endommagé : les dernières modifications sont illisibles</translation>
+        <translation>le journal de «&#x202f;%1&#x202f;» est endommagé&#x202f;: les dernières modifications sont illisibles</translation>
     </message>
     <message>
         <source>the kind %1 is unknown; there are %2 and %3</source>
-        <translation>le type %1 est inconnu ; il y a %2 et %3</translation>
+        <translation>le type %1 est inconnu&#x202f;; il y a %2 et %3</translation>
     </message>
     <message>
         <source>its label finds no room: make the words shorter, or put it elsewhere</source>
-        <translation>son étiquette ne trouve pas de place : raccourcissez le texte, ou placez-la ailleurs</translation>
+        <translation>son étiquette ne trouve pas de place&#x202f;: raccourcissez le texte, ou placez-la ailleurs</translation>
     </message>
     <message>
         <source>its cut lines meet here: make the allowance smaller</source>
-        <translation>ses lignes de coupe se rejoignent ici : réduisez la marge</translation>
+        <translation>ses lignes de coupe se rejoignent ici&#x202f;: réduisez la marge</translation>
     </message>
     <message>
         <source>a notch of %1 mm reaches the sewing line, which is %2 mm away: make it shallower, or the allowance wider</source>
-        <translation>un cran de %1 mm atteint la ligne de couture, à %2 mm : faites-le moins profond, ou élargissez la marge</translation>
+        <translation>un cran de %1&#xa0;mm atteint la ligne de couture, à %2&#xa0;mm&#x202f;: faites-le moins profond, ou élargissez la marge</translation>
     </message>
     <message>
         <source>nothing is sewn where it is, so it has no partner</source>
@@ -4853,15 +4934,15 @@
     </message>
     <message>
         <source>it has no partner on the other side of its seam: another notch is too near there</source>
-        <translation>il n’a pas de vis-à-vis de l’autre côté de sa couture : un autre cran y est trop proche</translation>
+        <translation>il n’a pas de vis-à-vis de l’autre côté de sa couture&#x202f;: un autre cran y est trop proche</translation>
     </message>
     <message>
         <source>it is %1 mm wide across the grain, but &quot;%2&quot; only %3 mm: split it, or turn its grain</source>
-        <translation>elle fait %1 mm de large en travers du droit-fil, mais « %2 » seulement %3 mm : divisez-la, ou tournez son droit-fil</translation>
+        <translation>elle fait %1&#xa0;mm de large en travers du droit-fil, mais «&#x202f;%2&#x202f;» seulement %3&#xa0;mm&#x202f;: divisez-la, ou tournez son droit-fil</translation>
     </message>
     <message>
         <source>an inner corner of %1 degrees is too sharp for its seam allowances: make them smaller there, or the corner wider</source>
-        <translation>un coin rentrant de %1 degrés est trop aigu pour ses marges de couture : réduisez-les à cet endroit, ou ouvrez le coin</translation>
+        <translation>un coin rentrant de %1 degrés est trop aigu pour ses marges de couture&#x202f;: réduisez-les à cet endroit, ou ouvrez le coin</translation>
     </message>
     <message>
         <source>There is no such place on an outline.</source>
@@ -4869,7 +4950,7 @@
     </message>
     <message>
         <source>A part of this stretch of %1 has a seam allowance of its own already: change that one, or choose another stretch.</source>
-        <translation>Une partie de ce tronçon de %1 a déjà sa propre marge de couture : modifiez celle-ci, ou choisissez un autre tronçon.</translation>
+        <translation>Une partie de ce tronçon de %1 a déjà sa propre marge de couture&#x202f;: modifiez celle-ci, ou choisissez un autre tronçon.</translation>
     </message>
     <message>
         <source>There is a notch of %1 at this place already.</source>
@@ -4969,35 +5050,35 @@
     </message>
     <message>
         <source>is %1, but must be a whole number; %2 are cut</source>
-        <translation>vaut %1, mais doit être un nombre entier ; %2 sont coupées</translation>
+        <translation>vaut %1, mais doit être un nombre entier&#x202f;; %2 sont coupées</translation>
     </message>
     <message>
         <source>%1 is an allowance of a part of this stretch already; remove one of the two, or make their stretches meet</source>
-        <translation>%1 est déjà une marge d’une partie de ce tronçon ; supprimez l’une des deux, ou faites se rejoindre leurs tronçons</translation>
+        <translation>%1 est déjà une marge d’une partie de ce tronçon&#x202f;; supprimez l’une des deux, ou faites se rejoindre leurs tronçons</translation>
     </message>
     <message>
         <source>the hole lies outside of &quot;%1&quot;; move it inside</source>
-        <translation>le trou est hors de « %1 » ; déplacez-le à l’intérieur</translation>
+        <translation>le trou est hors de «&#x202f;%1&#x202f;»&#x202f;; déplacez-le à l’intérieur</translation>
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>ses côtés mesurent %1 mm et %2 mm : égalisez-les, ou indiquez dans ses propriétés l’embu voulu</translation>
+        <translation>ses côtés mesurent %1&#xa0;mm et %2&#xa0;mm&#x202f;: égalisez-les, ou indiquez dans ses propriétés l’embu voulu</translation>
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
-        <translation>ses côtés mesurent %1 mm et %2 mm, mais le second doit être plus long de %3 mm : égalisez-les, ou modifiez l’embu dans ses propriétés</translation>
+        <translation>ses côtés mesurent %1&#xa0;mm et %2&#xa0;mm, mais le second doit être plus long de %3&#xa0;mm&#x202f;: égalisez-les, ou modifiez l’embu dans ses propriétés</translation>
     </message>
     <message>
         <source>The mouth of a dart must be at least 1 mm wide.</source>
-        <translation>L’ouverture d’une pince doit faire au moins 1 mm de large.</translation>
+        <translation>L’ouverture d’une pince doit faire au moins 1&#xa0;mm de large.</translation>
     </message>
     <message>
         <source>The tip of a dart must lie inside its patch, at least 5 mm from its mouth.</source>
-        <translation>La pointe d’une pince doit être dans sa pièce, à au moins 5 mm de son ouverture.</translation>
+        <translation>La pointe d’une pince doit être dans sa pièce, à au moins 5&#xa0;mm de son ouverture.</translation>
     </message>
     <message>
         <source>The legs of the dart would cross the outline of %1: put its tip elsewhere.</source>
-        <translation>Les côtés de la pince croiseraient le contour de %1 : placez sa pointe ailleurs.</translation>
+        <translation>Les côtés de la pince croiseraient le contour de %1&#x202f;: placez sa pointe ailleurs.</translation>
     </message>
     <message>
         <source>Add a dart to %1</source>
@@ -5025,31 +5106,31 @@
     </message>
     <message>
         <source>%1 is left out: its outline crosses itself or encloses nothing</source>
-        <translation>%1 est omise : son contour se croise ou n’enferme rien</translation>
+        <translation>%1 est omise&#x202f;: son contour se croise ou n’enferme rien</translation>
     </message>
     <message>
         <source>%1: %2 notches or lines belong to nothing and are left out</source>
-        <translation>%1 : %2 crans ou lignes n’appartiennent à rien et sont omis</translation>
+        <translation>%1&#x202f;: %2 crans ou lignes n’appartiennent à rien et sont omis</translation>
     </message>
     <message>
         <source>%1: more is drawn in it than a pattern can have (over %2 points)</source>
-        <translation>%1 : il contient plus de dessin qu’un patron ne peut en avoir (plus de %2 points)</translation>
+        <translation>%1&#x202f;: il contient plus de dessin qu’un patron ne peut en avoir (plus de %2 points)</translation>
     </message>
     <message>
         <source>%1: the file is larger than a pattern can be (%2 MB)</source>
-        <translation>%1 : le fichier est plus grand qu’un patron ne peut l’être (%2 Mo)</translation>
+        <translation>%1&#x202f;: le fichier est plus grand qu’un patron ne peut l’être (%2&#xa0;Mo)</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a group code of DXF</source>
-        <translation>%1 : « %2 » n’est pas un code de groupe DXF</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» n’est pas un code de groupe DXF</translation>
     </message>
     <message>
         <source>%1: the file ends in the middle of something</source>
-        <translation>%1 : le fichier finit au milieu de quelque chose</translation>
+        <translation>%1&#x202f;: le fichier finit au milieu de quelque chose</translation>
     </message>
     <message>
         <source>%1 is not a DXF file: it has no sections</source>
-        <translation>%1 n’est pas un fichier DXF : il n’a pas de sections</translation>
+        <translation>%1 n’est pas un fichier DXF&#x202f;: il n’a pas de sections</translation>
     </message>
     <message>
         <source>%1 is not an SVG file</source>
@@ -5057,7 +5138,7 @@
     </message>
     <message>
         <source>%1: this is not well-formed XML (%2)</source>
-        <translation>%1 : ce n’est pas du XML bien formé (%2)</translation>
+        <translation>%1&#x202f;: ce n’est pas du XML bien formé (%2)</translation>
     </message>
     <message>
         <source>Sew %1 proposed seams</source>
@@ -5077,11 +5158,11 @@
     </message>
     <message>
         <source>The legs of the dart must be of one length to be rotated: drag its tip onto the dotted line.</source>
-        <translation>Pour pivoter la pince, ses côtés doivent être égaux : faites glisser sa pointe sur la ligne pointillée.</translation>
+        <translation>Pour pivoter la pince, ses côtés doivent être égaux&#x202f;: faites glisser sa pointe sur la ligne pointillée.</translation>
     </message>
     <message>
         <source>A dart is rotated to a place at least 5 mm from its mouth.</source>
-        <translation>Une pince se pivote vers un endroit à au moins 5 mm de son ouverture.</translation>
+        <translation>Une pince se pivote vers un endroit à au moins 5&#xa0;mm de son ouverture.</translation>
     </message>
     <message>
         <source>The line from the tip of the dart to there would leave %1.</source>
@@ -5089,7 +5170,7 @@
     </message>
     <message>
         <source>%1 lies across the line from the tip of the dart to there: move it, or rotate the dart elsewhere.</source>
-        <translation>%1 est en travers de la ligne de la pointe de la pince à cet endroit : déplacez cet élément, ou pivotez la pince ailleurs.</translation>
+        <translation>%1 est en travers de la ligne de la pointe de la pince à cet endroit&#x202f;: déplacez cet élément, ou pivotez la pince ailleurs.</translation>
     </message>
     <message>
         <source>Rotate a dart of %1</source>
@@ -5101,11 +5182,11 @@
     </message>
     <message>
         <source>This seam ends in no corners: there is nothing to smooth.</source>
-        <translation>Cette couture ne finit à aucun coin : il n’y a rien à lisser.</translation>
+        <translation>Cette couture ne finit à aucun coin&#x202f;: il n’y a rien à lisser.</translation>
     </message>
     <message>
         <source>The outlines meet at more than 60° there: that is a corner, and stays one.</source>
-        <translation>Les contours s’y rejoignent à plus de 60° : c’est un coin, et il le reste.</translation>
+        <translation>Les contours s’y rejoignent à plus de 60°&#x202f;: c’est un coin, et il le reste.</translation>
     </message>
     <message>
         <source>Sew earlier</source>
@@ -5129,7 +5210,7 @@
     </message>
     <message>
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
-        <translation>ses côtés ont des marges de %1 mm et %2 mm : égalisez-les, ou tenez-en compte en les superposant</translation>
+        <translation>ses côtés ont des marges de %1&#xa0;mm et %2&#xa0;mm&#x202f;: égalisez-les, ou tenez-en compte en les superposant</translation>
     </message>
     <message>
         <source>This edge of %1 is not as long as that.</source>
@@ -5137,79 +5218,79 @@
     </message>
     <message>
         <source>the pattern is so large that the edge length of its triangles becomes %1 mm; is the unit right?</source>
-        <translation>le patron est si grand que la longueur d’arête de ses triangles devient %1 mm ; l’unité est-elle la bonne ?</translation>
+        <translation>le patron est si grand que la longueur d’arête de ses triangles devient %1&#xa0;mm&#x202f;; l’unité est-elle la bonne&#x202f;?</translation>
     </message>
     <message>
         <source>%1 is left out: it is %2 m large, the most is %3 m; is the unit right?</source>
-        <translation>%1 est omise : elle mesure %2 m, le maximum est de %3 m ; l’unité est-elle la bonne ?</translation>
+        <translation>%1 est omise&#x202f;: elle mesure %2&#xa0;m, le maximum est de %3&#xa0;m&#x202f;; l’unité est-elle la bonne&#x202f;?</translation>
     </message>
     <message>
         <source>%1 is left out: its outline has fewer than three points</source>
-        <translation>%1 est omise : son contour a moins de trois points</translation>
+        <translation>%1 est omise&#x202f;: son contour a moins de trois points</translation>
     </message>
     <message>
         <source>%1 is left out: of the %2 points of its outline no curve with at most %3 can be made</source>
-        <translation>%1 est omise : des %2 points de son contour, on ne peut faire aucune courbe d’au plus %3</translation>
+        <translation>%1 est omise&#x202f;: des %2 points de son contour, on ne peut faire aucune courbe d’au plus %3</translation>
     </message>
     <message>
         <source>%1: its outline has more than %2 points and is simplified, by %3 mm at most</source>
-        <translation>%1 : son contour a plus de %2 points et est simplifié, de %3 mm au plus</translation>
+        <translation>%1&#x202f;: son contour a plus de %2 points et est simplifié, de %3&#xa0;mm au plus</translation>
     </message>
     <message>
         <source>%1: its quantity &quot;%2&quot; is no number of pieces; it is cut once until somebody says how often</source>
-        <translation>%1 : sa quantité « %2 » n’est pas un nombre de pièces ; elle est coupée une fois jusqu’à indication contraire</translation>
+        <translation>%1&#x202f;: sa quantité «&#x202f;%2&#x202f;» n’est pas un nombre de pièces&#x202f;; elle est coupée une fois jusqu’à indication contraire</translation>
     </message>
     <message>
         <source>%1: its quantity %2 is more than possible and becomes %3</source>
-        <translation>%1 : sa quantité %2 dépasse le possible et devient %3</translation>
+        <translation>%1&#x202f;: sa quantité %2 dépasse le possible et devient %3</translation>
     </message>
     <message>
         <source>%1: %2 drill holes are narrower than %3 mm or wider than %4 mm and become as wide as possible</source>
-        <translation>%1 : %2 perçages font moins de %3 mm ou plus de %4 mm et sont ramenés à la limite</translation>
+        <translation>%1&#x202f;: %2 perçages font moins de %3&#xa0;mm ou plus de %4&#xa0;mm et sont ramenés à la limite</translation>
     </message>
     <message>
         <source>%1 is left out: it would be a patch with mistakes</source>
-        <translation>%1 est omise : ce serait une pièce avec des erreurs</translation>
+        <translation>%1 est omise&#x202f;: ce serait une pièce avec des erreurs</translation>
     </message>
     <message>
         <source>%1: the file ends in the middle of its section %2, so it is not whole; get it once more</source>
-        <translation>%1 : le fichier finit au milieu de sa section %2, il n’est donc pas complet ; procurez-vous-le de nouveau</translation>
+        <translation>%1&#x202f;: le fichier finit au milieu de sa section %2, il n’est donc pas complet&#x202f;; procurez-vous-le de nouveau</translation>
     </message>
     <message>
         <source>%1: more is drawn in it than a pattern can have (over %2 groups)</source>
-        <translation>%1 : il contient plus de dessin qu’un patron ne peut en avoir (plus de %2 groupes)</translation>
+        <translation>%1&#x202f;: il contient plus de dessin qu’un patron ne peut en avoir (plus de %2 groupes)</translation>
     </message>
     <message>
         <source>%1: %2 is larger than any pattern (%3)</source>
-        <translation>%1 : %2 est plus grand que tout patron (%3)</translation>
+        <translation>%1&#x202f;: %2 est plus grand que tout patron (%3)</translation>
     </message>
     <message>
         <source>the mark at the end of the file (EOF) is missing: look whether everything is there</source>
-        <translation>la marque de fin du fichier (EOF) manque : vérifiez que tout y est</translation>
+        <translation>la marque de fin du fichier (EOF) manque&#x202f;: vérifiez que tout y est</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is inserted more often than a pattern needs (over %3 times)</source>
-        <translation>%1 : « %2 » est inséré plus souvent qu’un patron n’en a besoin (plus de %3 fois)</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» est inséré plus souvent qu’un patron n’en a besoin (plus de %3 fois)</translation>
     </message>
     <message>
         <source>%1: an element has more than %2 attributes</source>
-        <translation>%1 : un élément a plus de %2 attributs</translation>
+        <translation>%1&#x202f;: un élément a plus de %2 attributs</translation>
     </message>
     <message>
         <source>%1: more is drawn in it than a pattern can have (over %2 elements)</source>
-        <translation>%1 : il contient plus de dessin qu’un patron ne peut en avoir (plus de %2 éléments)</translation>
+        <translation>%1&#x202f;: il contient plus de dessin qu’un patron ne peut en avoir (plus de %2 éléments)</translation>
     </message>
     <message>
         <source>%1: elements lie in each other more than %2 times</source>
-        <translation>%1 : des éléments sont imbriqués plus de %2 fois</translation>
+        <translation>%1&#x202f;: des éléments sont imbriqués plus de %2 fois</translation>
     </message>
     <message>
         <source>&quot;%1&quot; would be replaced, which is needed; choose another name</source>
-        <translation>« %1 » serait remplacé, or il est nécessaire ; choisissez un autre nom</translation>
+        <translation>«&#x202f;%1&#x202f;» serait remplacé, or il est nécessaire&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>there is no cover yet: nothing is sewn or solved</source>
-        <translation>il n’y a pas encore de housse : rien n’est cousu ni calculé</translation>
+        <translation>il n’y a pas encore de housse&#x202f;: rien n’est cousu ni calculé</translation>
     </message>
     <message>
         <source>there is not enough memory for this file</source>
@@ -5221,7 +5302,7 @@
     </message>
     <message>
         <source>the cover is %1 mm thick and has %2 cm³</source>
-        <translation>la housse a une épaisseur de %1 mm et %2 cm³</translation>
+        <translation>la housse a une épaisseur de %1&#xa0;mm et %2&#xa0;cm³</translation>
     </message>
     <message>
         <source>there is no room for foam between the frame and the cover</source>
@@ -5229,7 +5310,7 @@
     </message>
     <message>
         <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
-        <translation>la mousse a %1 l et pèse %2 kg à %3 kg/m³</translation>
+        <translation>la mousse a %1&#xa0;l et pèse %2&#xa0;kg à %3&#xa0;kg/m³</translation>
     </message>
     <message>
         <source>there are neither fixation curves nor seams</source>
@@ -5237,27 +5318,27 @@
     </message>
     <message>
         <source>The three places lie on a line: choose some that do not.</source>
-        <translation>Les trois endroits sont alignés : choisissez-en d’autres.</translation>
+        <translation>Les trois endroits sont alignés&#x202f;: choisissez-en d’autres.</translation>
     </message>
     <message>
         <source>The places are not as far from each other on the scan as where they belong: check the scale of the scan, and which is which.</source>
-        <translation>Les endroits n’ont pas la même distance entre eux sur le scan qu’à leur place : vérifiez l’échelle du scan, et lequel est lequel.</translation>
+        <translation>Les endroits n’ont pas la même distance entre eux sur le scan qu’à leur place&#x202f;: vérifiez l’échelle du scan, et lequel est lequel.</translation>
     </message>
     <message>
         <source>The scan could not be aligned: there are not enough of its points where it would stand. Click other places, or bring back what is cut away of it.</source>
-        <translation>Le scan n’a pas pu être aligné : trop peu de ses points sont là où il serait. Cliquez d’autres endroits, ou rétablissez ce qui en est découpé.</translation>
+        <translation>Le scan n’a pas pu être aligné&#x202f;: trop peu de ses points sont là où il serait. Cliquez d’autres endroits, ou rétablissez ce qui en est découpé.</translation>
     </message>
     <message>
         <source>%1: the numbers of &quot;%2&quot; are not described as they must be: &quot;%3&quot;</source>
-        <translation>%1 : les nombres de « %2 » ne sont pas décrits comme il faut : « %3 »</translation>
+        <translation>%1&#x202f;: les nombres de «&#x202f;%2&#x202f;» ne sont pas décrits comme il faut&#x202f;: «&#x202f;%3&#x202f;»</translation>
     </message>
     <message>
         <source>%1: the file is damaged: something is said to be at byte %2, where nothing can be; copy it again, or export the scan anew</source>
-        <translation>%1 : le fichier est endommagé : quelque chose devrait être à l’octet %2, où rien ne peut être ; recopiez-le, ou exportez de nouveau le scan</translation>
+        <translation>%1&#x202f;: le fichier est endommagé&#x202f;: quelque chose devrait être à l’octet %2, où rien ne peut être&#x202f;; recopiez-le, ou exportez de nouveau le scan</translation>
     </message>
     <message>
         <source>%1: the file is damaged: a checksum is wrong; copy it again, or export the scan anew</source>
-        <translation>%1 : le fichier est endommagé : une somme de contrôle est fausse ; recopiez-le, ou exportez de nouveau le scan</translation>
+        <translation>%1&#x202f;: le fichier est endommagé&#x202f;: une somme de contrôle est fausse&#x202f;; recopiez-le, ou exportez de nouveau le scan</translation>
     </message>
     <message>
         <source>%1 is not an E57 file</source>
@@ -5265,39 +5346,39 @@
     </message>
     <message>
         <source>%1: E57 of version %2 cannot be read, or its pages have another size than 1024; export the scan as E57 1.0</source>
-        <translation>%1 : l’E57 de version %2 n’est pas lisible, ou ses pages n’ont pas la taille 1024 ; exportez le scan en E57 1.0</translation>
+        <translation>%1&#x202f;: l’E57 de version %2 n’est pas lisible, ou ses pages n’ont pas la taille 1024&#x202f;; exportez le scan en E57 1.0</translation>
     </message>
     <message>
         <source>%1: the pose of a scan is no rotation and translation</source>
-        <translation>%1 : la pose d’un scan n’est pas une rotation avec translation</translation>
+        <translation>%1&#x202f;: la pose d’un scan n’est pas une rotation avec translation</translation>
     </message>
     <message>
         <source>%1: two scans are said to be at one place of the file; export them anew</source>
-        <translation>%1 : deux scans seraient au même endroit du fichier ; exportez-les de nouveau</translation>
+        <translation>%1&#x202f;: deux scans seraient au même endroit du fichier&#x202f;; exportez-les de nouveau</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; of the points is missing or no number of things</source>
-        <translation>%1 : « %2 » des points manque ou n’est pas un nombre d’éléments</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» des points manque ou n’est pas un nombre d’éléments</translation>
     </message>
     <message>
         <source>%1: the file is damaged: a packet of points is not as it must be; export the scan anew</source>
-        <translation>%1 : le fichier est endommagé : un paquet de points n’est pas comme il faut ; exportez de nouveau le scan</translation>
+        <translation>%1&#x202f;: le fichier est endommagé&#x202f;: un paquet de points n’est pas comme il faut&#x202f;; exportez de nouveau le scan</translation>
     </message>
     <message>
         <source>%1: the points are packed by &quot;%2&quot;, which cannot be read; export the scan without an extension</source>
-        <translation>%1 : les points sont compressés par « %2 », illisible ; exportez le scan sans extension</translation>
+        <translation>%1&#x202f;: les points sont compressés par «&#x202f;%2&#x202f;», illisible&#x202f;; exportez le scan sans extension</translation>
     </message>
     <message>
         <source>%1: more is described in it than a scan can have</source>
-        <translation>%1 : il décrit plus qu’un scan ne peut avoir</translation>
+        <translation>%1&#x202f;: il décrit plus qu’un scan ne peut avoir</translation>
     </message>
     <message>
         <source>%1: numbers that belong to one point lie too far from each other; export the scan anew</source>
-        <translation>%1 : des nombres d’un même point sont trop éloignés les uns des autres ; exportez de nouveau le scan</translation>
+        <translation>%1&#x202f;: des nombres d’un même point sont trop éloignés les uns des autres&#x202f;; exportez de nouveau le scan</translation>
     </message>
     <message>
         <source>%1: a document type is not expected here</source>
-        <translation>%1 : un type de document n’est pas attendu ici</translation>
+        <translation>%1&#x202f;: un type de document n’est pas attendu ici</translation>
     </message>
     <message>
         <source>%1 is not a LAS file</source>
@@ -5305,19 +5386,19 @@
     </message>
     <message>
         <source>%1 is compressed (LAZ), which cannot be read: save it as LAS, for example with laszip or CloudCompare, or as E57</source>
-        <translation>%1 est compressé (LAZ), donc illisible : enregistrez-le en LAS, par exemple avec laszip ou CloudCompare, ou en E57</translation>
+        <translation>%1 est compressé (LAZ), donc illisible&#x202f;: enregistrez-le en LAS, par exemple avec laszip ou CloudCompare, ou en E57</translation>
     </message>
     <message>
         <source>%1: points of format %2 with %3 bytes cannot be read; save them as LAS 1.2 or 1.4</source>
-        <translation>%1 : les points au format %2 de %3 octets ne sont pas lisibles ; enregistrez-les en LAS 1.2 ou 1.4</translation>
+        <translation>%1&#x202f;: les points au format %2 de %3 octets ne sont pas lisibles&#x202f;; enregistrez-les en LAS 1.2 ou 1.4</translation>
     </message>
     <message>
         <source>%1: its scale and offset make no points</source>
-        <translation>%1 : son échelle et son décalage ne donnent pas de points</translation>
+        <translation>%1&#x202f;: son échelle et son décalage ne donnent pas de points</translation>
     </message>
     <message>
         <source>%1: the points are said to begin within the header</source>
-        <translation>%1 : les points commenceraient dans l’en-tête</translation>
+        <translation>%1&#x202f;: les points commenceraient dans l’en-tête</translation>
     </message>
     <message>
         <source>The second side ends inside an edge, so the first one was changed.</source>
@@ -5329,23 +5410,23 @@
     </message>
     <message>
         <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>%1 arêtes de la forme appartiennent à plus de deux faces : ce sont des bordures, rien n’y est cousu</translation>
+        <translation>%1 arêtes de la forme appartiennent à plus de deux faces&#x202f;: ce sont des bordures, rien n’y est cousu</translation>
     </message>
     <message>
         <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 est fermée de toutes parts et ne se met pas à plat : divisez-la par groupes, ou coupez à un angle plus petit</translation>
+        <translation>%1 est fermée de toutes parts et ne se met pas à plat&#x202f;: divisez-la par groupes, ou coupez à un angle plus petit</translation>
     </message>
     <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 a trop de trous : fermez-les, ou divisez-la par groupes</translation>
+        <translation>%1 a trop de trous&#x202f;: fermez-les, ou divisez-la par groupes</translation>
     </message>
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 a une anse, comme une tasse, et ne se met pas à plat : divisez-la par groupes, ou coupez à un angle plus petit</translation>
+        <translation>%1 a une anse, comme une tasse, et ne se met pas à plat&#x202f;: divisez-la par groupes, ou coupez à un angle plus petit</translation>
     </message>
     <message>
         <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>%1 coupes ont été faites là où un morceau aurait eu un trou ou été un anneau ; ce sont des coutures</translation>
+        <translation>%1 coupes ont été faites là où un morceau aurait eu un trou ou été un anneau&#x202f;; ce sont des coutures</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5353,7 +5434,7 @@
     </message>
     <message>
         <source>%1 is left out: laid flat it would lie over itself. Divide it, or cut it in where it bulges most</source>
-        <translation>%1 est omise : à plat, elle se recouvrirait. Divisez-la, ou entaillez-la là où elle est la plus bombée</translation>
+        <translation>%1 est omise&#x202f;: à plat, elle se recouvrirait. Divisez-la, ou entaillez-la là où elle est la plus bombée</translation>
     </message>
     <message>
         <source>the stretch does not lie on its outline any more. Sew or fix it anew.</source>
@@ -5361,75 +5442,75 @@
     </message>
     <message>
         <source>the program &quot;%1&quot;, which reads such files for Bolster, cannot be started; install Bolster again</source>
-        <translation>le programme « %1 », qui lit ces fichiers pour Bolster, ne démarre pas ; réinstallez Bolster</translation>
+        <translation>le programme «&#x202f;%1&#x202f;», qui lit ces fichiers pour Bolster, ne démarre pas&#x202f;; réinstallez Bolster</translation>
     </message>
     <message>
         <source>&quot;%1&quot; takes too long to read; export fewer parts of it, or triangles (OBJ, STL) instead</source>
-        <translation>« %1 » est trop long à lire ; exportez-en moins de parties, ou plutôt des triangles (OBJ, STL)</translation>
+        <translation>«&#x202f;%1&#x202f;» est trop long à lire&#x202f;; exportez-en moins de parties, ou plutôt des triangles (OBJ, STL)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be read: it is damaged, or needs too much memory; export it again, or fewer parts of it, from the program that it comes from</source>
-        <translation>« %1 » n’a pas pu être lu : il est endommagé, ou demande trop de mémoire ; exportez-le de nouveau, ou moins de ses parties, depuis le programme d’origine</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être lu&#x202f;: il est endommagé, ou demande trop de mémoire&#x202f;; exportez-le de nouveau, ou moins de ses parties, depuis le programme d’origine</translation>
     </message>
     <message>
         <source>&quot;%1&quot; holds no faces, and a frame needs some; export bodies or surfaces, not lines and points alone</source>
-        <translation>« %1 » ne contient pas de faces, et une armature en demande ; exportez des corps ou des surfaces, pas seulement des lignes et des points</translation>
+        <translation>«&#x202f;%1&#x202f;» ne contient pas de faces, et une armature en demande&#x202f;; exportez des corps ou des surfaces, pas seulement des lignes et des points</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has more than %2 triangles; export fewer parts of it, or coarser</source>
-        <translation>« %1 » a plus de %2 triangles ; exportez-en moins de parties, ou plus grossièrement</translation>
+        <translation>«&#x202f;%1&#x202f;» a plus de %2 triangles&#x202f;; exportez-en moins de parties, ou plus grossièrement</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has more than %2 parts; export those that the cover touches</source>
-        <translation>« %1 » a plus de %2 parties ; exportez celles que la housse touche</translation>
+        <translation>«&#x202f;%1&#x202f;» a plus de %2 parties&#x202f;; exportez celles que la housse touche</translation>
     </message>
     <message>
         <source>%1: the part &quot;%2&quot; reaches beyond 10,000,000; export it without that part, or near the origin</source>
-        <translation>%1 : la partie « %2 » dépasse 10 000 000 ; exportez sans cette partie, ou près de l’origine</translation>
+        <translation>%1&#x202f;: la partie «&#x202f;%2&#x202f;» dépasse 10&#x202f;000&#x202f;000&#x202f;; exportez sans cette partie, ou près de l’origine</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs the file &quot;%2&quot; in its own folder; copy it there, or export as GLB, which is one file</source>
-        <translation>« %1 » demande le fichier « %2 » dans le même dossier ; copiez-l’y, ou exportez en GLB, qui est un seul fichier</translation>
+        <translation>«&#x202f;%1&#x202f;» demande le fichier «&#x202f;%2&#x202f;» dans le même dossier&#x202f;; copiez-l’y, ou exportez en GLB, qui est un seul fichier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged or incomplete, or not what its ending says; export it again from the program that it comes from</source>
-        <translation>« %1 » est endommagé ou incomplet, ou n’est pas ce que dit son extension ; exportez-le de nouveau depuis le programme d’origine</translation>
+        <translation>«&#x202f;%1&#x202f;» est endommagé ou incomplet, ou n’est pas ce que dit son extension&#x202f;; exportez-le de nouveau depuis le programme d’origine</translation>
     </message>
     <message>
         <source>%1: %2 triangles are left out: their corners are no numbers</source>
-        <translation>%1 : %2 triangles sont omis : leurs coins ne sont pas des nombres</translation>
+        <translation>%1&#x202f;: %2 triangles sont omis&#x202f;: leurs coins ne sont pas des nombres</translation>
     </message>
     <message>
         <source>%1: parts are left out that are scaled to nothing: %2, the first is &quot;%3&quot;</source>
-        <translation>%1 : des parties réduites à rien sont omises : %2, la première est « %3 »</translation>
+        <translation>%1&#x202f;: des parties réduites à rien sont omises&#x202f;: %2, la première est «&#x202f;%3&#x202f;»</translation>
     </message>
     <message>
         <source>%1: %2 faces could not be made triangles of, and leave holes</source>
-        <translation>%1 : %2 faces n’ont pas pu être triangulées et laissent des trous</translation>
+        <translation>%1&#x202f;: %2 faces n’ont pas pu être triangulées et laissent des trous</translation>
     </message>
     <message>
         <source>%1: %2 parts are left out that lie too deep in the tree</source>
-        <translation>%1 : %2 parties trop profondes dans l’arborescence sont omises</translation>
+        <translation>%1&#x202f;: %2 parties trop profondes dans l’arborescence sont omises</translation>
     </message>
     <message>
         <source>%1: the parts in the file &quot;%2&quot; are not read; export all in one file</source>
-        <translation>%1 : les parties du fichier « %2 » ne sont pas lues ; exportez tout dans un seul fichier</translation>
+        <translation>%1&#x202f;: les parties du fichier «&#x202f;%2&#x202f;» ne sont pas lues&#x202f;; exportez tout dans un seul fichier</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no file that frames are written to; OBJ, PLY and STL are</source>
-        <translation>« %1 » n’est pas un fichier où s’écrivent des armatures ; OBJ, PLY et STL le sont</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier où s’écrivent des armatures&#x202f;; OBJ, PLY et STL le sont</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a scan that can be read; these can: %2</source>
-        <translation>« %1 » n’est pas un scan lisible ; ceux-ci le sont : %2</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un scan lisible&#x202f;; ceux-ci le sont&#x202f;: %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a frame that can be read; these can: %2</source>
-        <translation>« %1 » n’est pas une armature lisible ; celles-ci le sont : %2</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une armature lisible&#x202f;; celles-ci le sont&#x202f;: %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a pattern that can be read; these can: %2</source>
-        <translation>« %1 » n’est pas un patron lisible ; ceux-ci le sont : %2</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un patron lisible&#x202f;; ceux-ci le sont&#x202f;: %2</translation>
     </message>
     <message>
         <source>nothing is left of the parts that are wanted</source>
@@ -5441,75 +5522,75 @@
     </message>
     <message>
         <source>notches at edges without an allowance cut into the piece: there are %1; give these edges an allowance</source>
-        <translation>des crans sur des bords sans marge entaillent la pièce : il y en a %1 ; donnez une marge à ces bords</translation>
+        <translation>des crans sur des bords sans marge entaillent la pièce&#x202f;: il y en a %1&#x202f;; donnez une marge à ces bords</translation>
     </message>
     <message>
         <source>There is a dart already: put this one beside it, or remove that one first.</source>
-        <translation>Il y a déjà une pince : placez celle-ci à côté, ou supprimez d’abord l’autre.</translation>
+        <translation>Il y a déjà une pince&#x202f;: placez celle-ci à côté, ou supprimez d’abord l’autre.</translation>
     </message>
     <message>
         <source>%1 is left out: with its holes, notches and lines the design would have more than %2 elements</source>
-        <translation>%1 est omise : avec ses trous, crans et lignes, le modèle aurait plus de %2 éléments</translation>
+        <translation>%1 est omise&#x202f;: avec ses trous, crans et lignes, le modèle aurait plus de %2 éléments</translation>
     </message>
     <message>
         <source>%1: its nap &quot;%2&quot; is neither one way, two ways nor any; it is taken for two ways</source>
-        <translation>%1 : son sens du poil « %2 » n’est ni sens unique, ni double sens, ni tous les sens ; double sens est retenu</translation>
+        <translation>%1&#x202f;: son sens du poil «&#x202f;%2&#x202f;» n’est ni sens unique, ni double sens, ni tous les sens&#x202f;; double sens est retenu</translation>
     </message>
     <message>
         <source>%1 is drawn larger by what its fabric shrinks (%2), and taken as it is drawn: a shrinkage of the fabric here would come on top</source>
-        <translation>%1 est dessinée plus grande du retrait de son tissu (%2), et prise telle quelle : un retrait du tissu indiqué ici s’y ajouterait</translation>
+        <translation>%1 est dessinée plus grande du retrait de son tissu (%2), et prise telle quelle&#x202f;: un retrait du tissu indiqué ici s’y ajouterait</translation>
     </message>
     <message>
         <source>the viewBox &quot;%1&quot; is no four numbers and is left out: check the size of the pieces</source>
-        <translation>la viewBox « %1 » n’a pas quatre nombres et est omise : vérifiez la taille des pièces</translation>
+        <translation>la viewBox «&#x202f;%1&#x202f;» n’a pas quatre nombres et est omise&#x202f;: vérifiez la taille des pièces</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs the file &quot;%2&quot; beside it, and the frame of a design is one file; import it again, or export it as GLB</source>
-        <translation>« %1 » demande le fichier « %2 » à côté, et l’armature d’un modèle est un seul fichier ; importez-la de nouveau, ou exportez-la en GLB</translation>
+        <translation>«&#x202f;%1&#x202f;» demande le fichier «&#x202f;%2&#x202f;» à côté, et l’armature d’un modèle est un seul fichier&#x202f;; importez-la de nouveau, ou exportez-la en GLB</translation>
     </message>
     <message>
         <source>99 % of its surface is within %1 mm</source>
-        <translation>99 % de sa surface est à moins de %1 mm</translation>
+        <translation>99&#x202f;% de sa surface est à moins de %1&#xa0;mm</translation>
     </message>
     <message>
         <source>it reaches beyond its piece: end it at the edge</source>
-        <translation>elle dépasse de sa pièce : finissez-la au bord</translation>
+        <translation>elle dépasse de sa pièce&#x202f;: finissez-la au bord</translation>
     </message>
     <message>
         <source>the hole breaks through the edge of its piece: move it inwards, or make it smaller</source>
-        <translation>le trou traverse le bord de sa pièce : rentrez-le, ou réduisez-le</translation>
+        <translation>le trou traverse le bord de sa pièce&#x202f;: rentrez-le, ou réduisez-le</translation>
     </message>
     <message>
         <source>only %1 mm are left of the piece at the tip of a dart: make it shorter</source>
-        <translation>il ne reste que %1 mm de la pièce à la pointe d’une pince : raccourcissez-la</translation>
+        <translation>il ne reste que %1&#xa0;mm de la pièce à la pointe d’une pince&#x202f;: raccourcissez-la</translation>
     </message>
     <message>
         <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
-        <translation>%1 de ses crans n’ont pas de vis-à-vis de l’autre côté de leurs coutures : d’autres y sont trop proches. Demandez-en moins</translation>
+        <translation>%1 de ses crans n’ont pas de vis-à-vis de l’autre côté de leurs coutures&#x202f;: d’autres y sont trop proches. Demandez-en moins</translation>
     </message>
     <message>
         <source>%1 has %2 sewing lines beside each other; the largest is taken, the others are left out</source>
-        <translation>%1 a %2 lignes de couture côte à côte ; la plus grande est prise, les autres sont omises</translation>
+        <translation>%1 a %2 lignes de couture côte à côte&#x202f;; la plus grande est prise, les autres sont omises</translation>
     </message>
     <message>
         <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
-        <translation>%1 : sa ligne de coupe est à %2 mm hors de sa ligne de couture, plus que ne le permet une marge ; elle y devient %3 mm</translation>
+        <translation>%1&#x202f;: sa ligne de coupe est à %2&#xa0;mm hors de sa ligne de couture, plus que ne le permet une marge&#x202f;; elle y devient %3&#xa0;mm</translation>
     </message>
     <message>
         <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
-        <translation>La housse est tirée vers le scan là où il se trouve : désactivez « Y ajuster la housse », placez-le, puis réactivez.</translation>
+        <translation>La housse est tirée vers le scan là où il se trouve&#x202f;: désactivez «&#x202f;Y ajuster la housse&#x202f;», placez-le, puis réactivez.</translation>
     </message>
     <message>
         <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Placer sur la housse à %2 mm RMS : %1 (%3 % de ses points associés)</translation>
+        <translation>Placer sur la housse à %2&#xa0;mm RMS&#x202f;: %1 (%3&#x202f;% de ses points associés)</translation>
     </message>
     <message>
         <source>The scan could not be placed: it is too far from the cover. Align it by three places, or cut away what does not belong to it.</source>
-        <translation>Le scan n’a pas pu être placé : il est trop loin de la housse. Alignez-le par trois endroits, ou découpez ce qui n’en fait pas partie.</translation>
+        <translation>Le scan n’a pas pu être placé&#x202f;: il est trop loin de la housse. Alignez-le par trois endroits, ou découpez ce qui n’en fait pas partie.</translation>
     </message>
     <message>
         <source>Align to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Aligner à %2 mm RMS : %1 (%3 % de ses points associés)</translation>
+        <translation>Aligner à %2&#xa0;mm RMS&#x202f;: %1 (%3&#x202f;% de ses points associés)</translation>
     </message>
     <message>
         <source>Import the pattern of %1</source>
@@ -5517,15 +5598,15 @@
     </message>
     <message>
         <source>%1: a gap of %2 mm in its outline is closed by a straight line</source>
-        <translation>%1 : un jour de %2 mm dans son contour est fermé par une droite</translation>
+        <translation>%1&#x202f;: un jour de %2&#xa0;mm dans son contour est fermé par une droite</translation>
     </message>
     <message>
         <source>%1: its cut line is drawn anew from its allowances, and differs from that of the file by up to %2 mm</source>
-        <translation>%1 : sa ligne de coupe est redessinée d’après ses marges et s’écarte de celle du fichier jusqu’à %2 mm</translation>
+        <translation>%1&#x202f;: sa ligne de coupe est redessinée d’après ses marges et s’écarte de celle du fichier jusqu’à %2&#xa0;mm</translation>
     </message>
     <message>
         <source>the size &quot;%1&quot; of the page is in no unit that is known and is left out: check the size of the pieces</source>
-        <translation>la taille « %1 » de la page n’a pas d’unité connue et est omise : vérifiez la taille des pièces</translation>
+        <translation>la taille «&#x202f;%1&#x202f;» de la page n’a pas d’unité connue et est omise&#x202f;: vérifiez la taille des pièces</translation>
     </message>
     <message>
         <source>Sew a proposed seam</source>
@@ -5537,11 +5618,11 @@
     </message>
     <message>
         <source>one piece of less than 1 cm³ is left out</source>
-        <translation>un morceau de moins de 1 cm³ est omis</translation>
+        <translation>un morceau de moins de 1&#xa0;cm³ est omis</translation>
     </message>
     <message>
         <source>%1 pieces of less than 1 cm³ are left out</source>
-        <translation>%1 morceaux de moins de 1 cm³ sont omis</translation>
+        <translation>%1 morceaux de moins de 1&#xa0;cm³ sont omis</translation>
     </message>
     <message>
         <source>Change whether the cover fits %1</source>
@@ -5549,43 +5630,43 @@
     </message>
     <message>
         <source>&quot;%1&quot; needs too much memory: it has too many parts, or places them too often; export those that the cover touches</source>
-        <translation>« %1 » demande trop de mémoire : il a trop de parties, ou les place trop souvent ; exportez celles que la housse touche</translation>
+        <translation>«&#x202f;%1&#x202f;» demande trop de mémoire&#x202f;: il a trop de parties, ou les place trop souvent&#x202f;; exportez celles que la housse touche</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has decimal commas; export it with decimal points</source>
-        <translation>« %1 » a des virgules décimales ; exportez-le avec des points décimaux</translation>
+        <translation>«&#x202f;%1&#x202f;» a des virgules décimales&#x202f;; exportez-le avec des points décimaux</translation>
     </message>
     <message>
         <source>%1: triangles are left out that name points which are not in the file</source>
-        <translation>%1 : les triangles qui renvoient à des points absents du fichier sont omis</translation>
+        <translation>%1&#x202f;: les triangles qui renvoient à des points absents du fichier sont omis</translation>
     </message>
     <message>
         <source>%1: %2 triangles are left out: they name points that are not in the file</source>
-        <translation>%1 : %2 triangles sont omis : ils renvoient à des points absents du fichier</translation>
+        <translation>%1&#x202f;: %2 triangles sont omis&#x202f;: ils renvoient à des points absents du fichier</translation>
     </message>
     <message>
         <source>%1: none of its %2 points has a place</source>
-        <translation>%1 : aucun de ses %2 points n’a de position</translation>
+        <translation>%1&#x202f;: aucun de ses %2 points n’a de position</translation>
     </message>
     <message>
         <source>%1: %2 points are left out: they have no place, as where a scanner saw nothing</source>
-        <translation>%1 : %2 points sont omis : ils n’ont pas de position, comme là où un scanner n’a rien vu</translation>
+        <translation>%1&#x202f;: %2 points sont omis&#x202f;: ils n’ont pas de position, comme là où un scanner n’a rien vu</translation>
     </message>
     <message>
         <source>%1 is text in UTF-16, which is not read; save it as UTF-8</source>
-        <translation>%1 est un texte en UTF-16, qui n’est pas lu ; enregistrez-le en UTF-8</translation>
+        <translation>%1 est un texte en UTF-16, qui n’est pas lu&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; has a decimal comma; export with decimal points</source>
-        <translation>%1 : « %2 » a une virgule décimale ; exportez avec des points décimaux</translation>
+        <translation>%1&#x202f;: «&#x202f;%2&#x202f;» a une virgule décimale&#x202f;; exportez avec des points décimaux</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>Impossible de créer le dossier « %1 ».</translation>
+        <translation>Impossible de créer le dossier «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>Le dossier « %1 » contient le balayage d’un autre modèle ou d’autres tolérances : choisissez un autre dossier.</translation>
+        <translation>Le dossier «&#x202f;%1&#x202f;» contient le balayage d’un autre modèle ou d’autres tolérances&#x202f;: choisissez un autre dossier.</translation>
     </message>
     <message>
         <source>Make the pattern of a form</source>
@@ -5601,27 +5682,27 @@
     </message>
     <message>
         <source>The form has %1 triangles; %2 stand for it, which are up to %3 mm off</source>
-        <translation>La forme a %1 triangles ; %2 la représentent, à %3 mm près</translation>
+        <translation>La forme a %1 triangles&#x202f;; %2 la représentent, à %3&#xa0;mm près</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 est à %2 mm de la forme : elle n’est pas coupée à cet endroit</translation>
+        <translation>%1 est à %2&#xa0;mm de la forme&#x202f;: elle n’est pas coupée à cet endroit</translation>
     </message>
     <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
-        <translation>%1 finit dans un morceau, en %2 : il y est entaillé comme par une pince. La ligne ou bordure suivante est à %3 mm ; prolongez-la jusque-là pour diviser le morceau</translation>
+        <translation>%1 finit dans un morceau, en %2&#x202f;: il y est entaillé comme par une pince. La ligne ou bordure suivante est à %3&#xa0;mm&#x202f;; prolongez-la jusque-là pour diviser le morceau</translation>
     </message>
     <message>
         <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>on ne peut pas y couper de lignes : elle a des arêtes où se rejoignent plus de deux faces, ou des nappes qui se touchent en un point</translation>
+        <translation>on ne peut pas y couper de lignes&#x202f;: elle a des arêtes où se rejoignent plus de deux faces, ou des nappes qui se touchent en un point</translation>
     </message>
     <message>
         <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>on ne peut pas y couper de lignes : elle se traverse elle-même à cet endroit</translation>
+        <translation>on ne peut pas y couper de lignes&#x202f;: elle se traverse elle-même à cet endroit</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
-        <translation>Aucun endroit de la housse n’est près de la forme : placez-la là où est la housse, en millimètres.</translation>
+        <translation>Aucun endroit de la housse n’est près de la forme&#x202f;: placez-la là où est la housse, en millimètres.</translation>
     </message>
     <message>
         <source>Nothing that may change does anything to the cover.</source>
@@ -5629,7 +5710,7 @@
     </message>
     <message>
         <source>A step would have turned the outline of %1 over itself; a smaller one was taken</source>
-        <translation>Un pas aurait replié le contour de %1 sur lui-même ; un plus petit a été fait</translation>
+        <translation>Un pas aurait replié le contour de %1 sur lui-même&#x202f;; un plus petit a été fait</translation>
     </message>
     <message>
         <source>Nothing may change.</source>
@@ -5641,39 +5722,39 @@
     </message>
     <message>
         <source>Make %1 longer by %3 mm where it is sewn to %2</source>
-        <translation>Allonger %1 de %3 mm là où elle est cousue à %2</translation>
+        <translation>Allonger %1 de %3&#xa0;mm là où elle est cousue à %2</translation>
     </message>
     <message>
         <source>Make %1 shorter by %3 mm where it is sewn to %2</source>
-        <translation>Raccourcir %1 de %3 mm là où elle est cousue à %2</translation>
+        <translation>Raccourcir %1 de %3&#xa0;mm là où elle est cousue à %2</translation>
     </message>
     <message>
         <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Élargir %1 en %2 de %3 mm</translation>
+        <translation>Élargir %1 en %2 de %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Reprendre %1 en %2 de %3 mm</translation>
+        <translation>Reprendre %1 en %2 de %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
-        <translation>Déplacer la couture de %1 et %2 de %3 mm dans %2</translation>
+        <translation>Déplacer la couture de %1 et %2 de %3&#xa0;mm dans %2</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %1</source>
-        <translation>Déplacer la couture de %1 et %2 de %3 mm dans %1</translation>
+        <translation>Déplacer la couture de %1 et %2 de %3&#xa0;mm dans %1</translation>
     </message>
     <message>
         <source>Let out the corner of %1 at %2 by %3 mm</source>
-        <translation>Élargir le coin de %1 en %2 de %3 mm</translation>
+        <translation>Élargir le coin de %1 en %2 de %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in the corner of %1 at %2 by %3 mm</source>
-        <translation>Reprendre le coin de %1 en %2 de %3 mm</translation>
+        <translation>Reprendre le coin de %1 en %2 de %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Cut a dart into %1 at %2, %3 mm wide and %4 mm deep</source>
-        <translation>Couper une pince dans %1 en %2, large de %3 mm et profonde de %4 mm</translation>
+        <translation>Couper une pince dans %1 en %2, large de %3&#xa0;mm et profonde de %4&#xa0;mm</translation>
     </message>
     <message>
         <source>Make the seam of %1 and %2 smooth</source>
@@ -5685,11 +5766,86 @@
     </message>
     <message>
         <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>Le dossier « %1 » contient d’autres fichiers : un balayage demande son propre dossier.</translation>
+        <translation>Le dossier «&#x202f;%1&#x202f;» contient d’autres fichiers&#x202f;: un balayage demande son propre dossier.</translation>
     </message>
     <message>
         <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 n’a pas de longueur : il n’y a pas de coupe à cet endroit</translation>
+        <translation>%1 n’a pas de longueur&#x202f;: il n’y a pas de coupe à cet endroit</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation>ce n’est pas un fichier de préférences&#x202f;: il s’interrompt ou a une erreur au caractère %1&#x202f;; choisissez-en un que Bolster a exporté</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation>ce n’est pas un fichier de préférences&#x202f;; choisissez-en un que Bolster a exporté</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation>«&#x202f;%1&#x202f;» ne peut pas avoir cette valeur&#x202f;; supprimez cette ligne du fichier, ou exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation>impossible d’écrire «&#x202f;%1&#x202f;», où un Bolster portable garde réglages et travail&#x202f;; copiez son dossier là où vous avez le droit d’écrire</translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>bouton central</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>bouton droit</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>glisser</translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation>deux doigts</translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation>pincer ou Ctrl+molette</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation>CAO (comme SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Pavé tactile</translation>
     </message>
 </context>
 <context>
@@ -5731,14 +5887,14 @@
     </message>
     <message>
         <source>%1 directions, interpolated along the curve; the first is shown.</source>
-        <translation>%1 directions, interpolées le long de la courbe ; la première est affichée.</translation>
+        <translation>%1 directions, interpolées le long de la courbe&#x202f;; la première est affichée.</translation>
     </message>
 </context>
 <context>
     <name>OutlineTool</name>
     <message>
         <source>This cannot be a patch: %1</source>
-        <translation>Cela ne peut pas être une pièce : %1</translation>
+        <translation>Cela ne peut pas être une pièce&#x202f;: %1</translation>
     </message>
     <message>
         <source>The outline would cross itself here – Backspace takes a point back</source>
@@ -5746,7 +5902,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no length: try 500, 500&lt;30 or 120, 40</source>
-        <translation>« %1 » n’est pas une longueur : essayez 500, 500&lt;30 ou 120, 40</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une longueur&#x202f;: essayez 500, 500&lt;30 ou 120, 40</translation>
     </message>
     <message>
         <source>Click to set the first corner, press and drag for a smooth point – Esc ends the tool</source>
@@ -5758,7 +5914,7 @@
     </message>
     <message>
         <source>Enter sets the point: 500 goes that far, 500&lt;30 at an angle, 120, 40 to the right and up</source>
-        <translation>Entrée place le point : 500 va à cette distance, 500&lt;30 selon un angle, 120, 40 à droite et en haut</translation>
+        <translation>Entrée place le point&#x202f;: 500 va à cette distance, 500&lt;30 selon un angle, 120, 40 à droite et en haut</translation>
     </message>
     <message>
         <source>Click for a corner, drag for a smooth point, or type a length – Ctrl does not snap</source>
@@ -5800,7 +5956,7 @@
     </message>
     <message>
         <source>This cannot be a patch: %1</source>
-        <translation>Cela ne peut pas être une pièce : %1</translation>
+        <translation>Cela ne peut pas être une pièce&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -5877,11 +6033,11 @@
     </message>
     <message>
         <source>Print at 100 %</source>
-        <translation>Imprimer à 100 %</translation>
+        <translation>Imprimer à 100&#x202f;%</translation>
     </message>
     <message>
         <source>%1 – print at 100 %</source>
-        <translation>%1 – imprimer à 100 %</translation>
+        <translation>%1 – imprimer à 100&#x202f;%</translation>
     </message>
     <message>
         <source>Overview of %1 x %2 sheets</source>
@@ -5889,15 +6045,15 @@
     </message>
     <message>
         <source>%1: sheet %2</source>
-        <translation>%1 : feuille %2</translation>
+        <translation>%1&#x202f;: feuille %2</translation>
     </message>
     <message>
         <source>%1: sheets %2 to %3</source>
-        <translation>%1 : feuilles %2 à %3</translation>
+        <translation>%1&#x202f;: feuilles %2 à %3</translation>
     </message>
     <message>
         <source>100 mm: to measure, no part of the pattern</source>
-        <translation>100 mm : pour mesurer, hors patron</translation>
+        <translation>100&#xa0;mm&#x202f;: pour mesurer, hors patron</translation>
     </message>
     <message>
         <source>Sheet %1 (row %2 of %3, column %4 of %5)</source>
@@ -5921,10 +6077,6 @@
     <message>
         <source>Click to select the patch, drag to move it in the layout</source>
         <translation>Cliquez pour sélectionner la pièce, faites glisser pour la déplacer dans la disposition</translation>
-    </message>
-    <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>Cliquez pour sélectionner, tracez un cadre pour en sélectionner plusieurs – bouton central ou Espace déplace la vue, la molette zoome</translation>
     </message>
     <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
@@ -5966,12 +6118,16 @@
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>Faites glisser l’étiquette là où on peut la lire, cliquez pour sélectionner la pièce</translation>
     </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation>Cliquez pour sélectionner, tracez un cadre pour en sélectionner plusieurs – déplacer la vue&#x202f;: %1 ou Espace, zoomer&#x202f;: %2</translation>
+    </message>
 </context>
 <context>
     <name>PatternSplitTool</name>
     <message>
         <source>Removed, because they make no sense any more: %1</source>
-        <translation>Supprimés, car ils n’ont plus de sens : %1</translation>
+        <translation>Supprimés, car ils n’ont plus de sens&#x202f;: %1</translation>
     </message>
     <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
@@ -6006,19 +6162,19 @@
     </message>
     <message>
         <source>Enter moves it so far: 50, or 30, 20</source>
-        <translation>Entrée déplace d’autant : 50, ou 30, 20</translation>
+        <translation>Entrée déplace d’autant&#x202f;: 50, ou 30, 20</translation>
     </message>
     <message>
         <source>Enter turns it by this angle, counter-clockwise: 45</source>
-        <translation>Entrée tourne de cet angle, dans le sens antihoraire : 45</translation>
+        <translation>Entrée tourne de cet angle, dans le sens antihoraire&#x202f;: 45</translation>
     </message>
     <message>
         <source>Enter makes it this size: 300 x 200, 300 (wide, in proportion), or 120 %</source>
-        <translation>Entrée donne cette taille : 300 x 200, 300 (largeur, proportions gardées) ou 120 %</translation>
+        <translation>Entrée donne cette taille&#x202f;: 300 x 200, 300 (largeur, proportions gardées) ou 120&#x202f;%</translation>
     </message>
     <message>
         <source>Scaled to %1 × %2 – or type the size; Shift keeps the proportions, Esc takes it back</source>
-        <translation>Mis à l’échelle à %1 × %2 – ou saisissez la taille ; Maj garde les proportions, Échap annule</translation>
+        <translation>Mis à l’échelle à %1 × %2 – ou saisissez la taille&#x202f;; Maj garde les proportions, Échap annule</translation>
     </message>
 </context>
 <context>
@@ -6050,10 +6206,6 @@
         <translation>Tourné de %1° – Ctrl accroche à 15°, Échap annule</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>Déplacé de x %1, y %2, z %3 mm – Ctrl accroche à 10 mm, Échap annule</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>Faites glisser pour déplacer selon cet axe</translation>
     </message>
@@ -6064,6 +6216,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>Faites glisser pour déplacer parallèlement à l’image</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation>Déplacé de x %1, y %2, z %3 – Ctrl accroche à %4, Échap annule</translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation>Pré&amp;férences…</translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation>Unités, langue, thème, souris, touches, etc.</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation>Millimètres (314&#xa0;mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation>Centimètres (31,4&#xa0;cm)</translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation>Pouces (12 3/8″)</translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation>Jusqu’à 1/8</translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation>Jusqu’à 1/16</translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation>Jusqu’à 1/32</translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation>Jusqu’à 1/64</translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation>Décimales (12,375)</translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation>Selon la langue</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>Virgule (1,5)</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>Point (1.5)</translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation>Langue du système</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Complète</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Réduite</translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation>Uni, sans préréglage</translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation>Unités et nombres</translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation>Langue et apparence</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Souris</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Clavier</translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation>Vue du patron</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Travail non enregistré</translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation>Nouveaux modèles</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Longueurs en</translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation>unité mesure métrique impérial millimètre centimètre pouce</translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>Façon d’afficher les longueurs. Vous pouvez en saisir d’autres de toute façon&#x202f;: «&#x202f;3&#xa0;in&#x202f;», «&#x202f;2,5&#xa0;cm&#x202f;», «&#x202f;1&apos; 2 3/8&quot;&#x202f;». Les modèles restent en millimètres, les feuilles imprimées et les fichiers aussi.</translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation>Fractions de pouce</translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation>fraction impérial pouce 1/16 décimales</translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation>La fraction la plus proche est affichée, sans que rien soit arrondi&#x202f;; ce qui est trop court pour elle a des décimales.</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Séparateur décimal</translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation>virgule point séparateur décimal nombres</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation>traduction mots anglais français english language</translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation>Bolster la parle à son prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation>couleurs sombre clair contraste nuit apparence accessibilité</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation>Taille des caractères</translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation>police texte grand petit zoom échelle lettres accessibilité</translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation>Bouger les vues comme dans</translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation>navigation rotation tourner déplacer zoomer boutons pavé tactile trackpad orbite préréglage</translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation>Inverser le sens du zoom</translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation>inverser molette défilement sens direction</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>Touches comme dans</translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation>raccourcis clavier préréglage</translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation>Certaines commandes reçoivent les touches que vous y connaissez. Les touches que vous avez choisies vous-même restent.</translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation>Accrocher aux points, bords, repères et à la grille</translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation>magnétisme aimant accrochage aligner</translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation>Ctrl ou Alt le suspend pendant que vous faites glisser.</translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation>Afficher les règles</translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation>échelle mesure graduation</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Afficher les repères</translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation>lignes guides aide</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>Qualité de l’image</translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation>performances lent rapide bureau à distance graphisme opengl</translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation>Réduite&#x202f;: moins de pixels et de triangles, pas d’ombres douces. Pour les machines lentes et les écrans distants. Les images exportées restent fines.</translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation>Passer aux autres vues d’un coup, sans survol</translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation>mouvement réduit animation caméra accessibilité distance</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> jours</translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation>Garder le travail jeté pendant</translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation>enregistrement automatique sauvegarde récupération plantage journal corbeille non enregistré supprimer</translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation>Chaque étape est sur le disque dès qu’elle est faite&#x202f;: il n’y a pas d’intervalle à régler. Le travail non enregistré reste jusqu’à ce que vous le rouvriez ou le jetiez&#x202f;; il est ensuite dans la corbeille pendant au moins 30 jours.</translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation>Tissu des nouvelles pièces</translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation>défaut matière matériau cuir tissage couleur</translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation>Un nouveau modèle commence avec lui, et les pièces sont faites du premier tissu d’un modèle.</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Marge de couture</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation>défaut valeur de couture coupe marge ourlet largeur</translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation>Les nouveaux modèles commencent avec elle&#x202f;; dans un modèle, elle se modifie dans ses propriétés.</translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation>Dossier de vos tissus</translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation>bibliothèque répertoire chemin importer exporter image échantillon</translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation>Où les tissus et leurs images sont cherchés d’abord. Sans indication, c’est le dossier du modèle.</translation>
     </message>
 </context>
 <context>
@@ -6086,7 +6556,7 @@
     </message>
     <message>
         <source>Name of the view; one of the same name is replaced:</source>
-        <translation>Nom de la vue ; une vue du même nom est remplacée :</translation>
+        <translation>Nom de la vue&#x202f;; une vue du même nom est remplacée&#x202f;:</translation>
     </message>
     <message>
         <source>View %1</source>
@@ -6094,18 +6564,18 @@
     </message>
     <message>
         <source>View %1 saved: View &gt; Saved views</source>
-        <translation>Vue %1 enregistrée : Affichage &gt; Vues enregistrées</translation>
+        <translation>Vue %1 enregistrée&#x202f;: Affichage &gt; Vues enregistrées</translation>
     </message>
 </context>
 <context>
     <name>ScanAlignTool</name>
     <message>
         <source>There is no point of the scan here: click on one.</source>
-        <translation>Il n’y a pas de point du scan ici : cliquez sur un point.</translation>
+        <translation>Il n’y a pas de point du scan ici&#x202f;: cliquez sur un point.</translation>
     </message>
     <message>
         <source>There is neither a frame nor the cover here: click where that place of the scan belongs.</source>
-        <translation>Il n’y a ici ni armature ni housse : cliquez là où va cet endroit du scan.</translation>
+        <translation>Il n’y a ici ni armature ni housse&#x202f;: cliquez là où va cet endroit du scan.</translation>
     </message>
     <message>
         <source>Take the last place &amp;back</source>
@@ -6125,11 +6595,11 @@
     </message>
     <message>
         <source>%1: where it belongs</source>
-        <translation>%1 : à sa place</translation>
+        <translation>%1&#x202f;: à sa place</translation>
     </message>
     <message>
         <source>%1: on the scan</source>
-        <translation>%1 : sur le scan</translation>
+        <translation>%1&#x202f;: sur le scan</translation>
     </message>
     <message>
         <source>The scan is no longer there – Esc ends the tool</source>
@@ -6196,7 +6666,7 @@
     </message>
     <message>
         <source>Placing the scan on the cover: step %1</source>
-        <translation>Placement du scan sur la housse : étape %1</translation>
+        <translation>Placement du scan sur la housse&#x202f;: étape %1</translation>
     </message>
     <message>
         <source>A&amp;lign …</source>
@@ -6204,7 +6674,7 @@
     </message>
     <message>
         <source>Click three places of the scan and where each belongs; the rest is found</source>
-        <translation>Cliquez trois endroits du scan et la place de chacun ; le reste est trouvé</translation>
+        <translation>Cliquez trois endroits du scan et la place de chacun&#x202f;; le reste est trouvé</translation>
     </message>
     <message>
         <source>Aligning the scan …</source>
@@ -6212,7 +6682,7 @@
     </message>
     <message>
         <source>Aligning the scan: step %1</source>
-        <translation>Alignement du scan : étape %1</translation>
+        <translation>Alignement du scan&#x202f;: étape %1</translation>
     </message>
 </context>
 <context>
@@ -6262,7 +6732,7 @@
     </message>
     <message>
         <source>Median, 95 %</source>
-        <translation>Médiane, 95 %</translation>
+        <translation>Médiane, 95&#x202f;%</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -6314,7 +6784,7 @@
     </message>
     <message>
         <source>Half of what is measured, and 95 % of it, is no farther from the scan than that.</source>
-        <translation>La moitié de ce qui est mesuré, et 95 %, n’est pas plus loin du scan que cela.</translation>
+        <translation>La moitié de ce qui est mesuré, et 95&#x202f;%, n’est pas plus loin du scan que cela.</translation>
     </message>
     <message>
         <source>How much of the cover has points of the scan near it.</source>
@@ -6367,7 +6837,7 @@
     </message>
     <message>
         <source>%1 edges. Of &quot;Make equally long&quot; the first one stays: %2 of %3.</source>
-        <translation>%1 bords. Avec « Rendre égaux », le premier reste tel quel : %2 de %3.</translation>
+        <translation>%1 bords. Avec «&#x202f;Rendre égaux&#x202f;», le premier reste tel quel&#x202f;: %2 de %3.</translation>
     </message>
     <message>
         <source>Edge of</source>
@@ -6397,15 +6867,15 @@
     <name>SelectionEdits</name>
     <message>
         <source>Not removed: the curve needs these points.</source>
-        <translation>Non supprimé : la courbe a besoin de ces points.</translation>
+        <translation>Non supprimé&#x202f;: la courbe a besoin de ces points.</translation>
     </message>
     <message>
         <source>Not removed: other elements need this fabric.</source>
-        <translation>Non supprimé : d’autres éléments ont besoin de ce tissu.</translation>
+        <translation>Non supprimé&#x202f;: d’autres éléments ont besoin de ce tissu.</translation>
     </message>
     <message>
         <source>An edge cannot be removed: its points can, or with Esc the whole patch.</source>
-        <translation>Un bord ne peut pas être supprimé : ses points, oui, ou avec Échap toute la pièce.</translation>
+        <translation>Un bord ne peut pas être supprimé&#x202f;: ses points, oui, ou avec Échap toute la pièce.</translation>
     </message>
 </context>
 <context>
@@ -6416,7 +6886,7 @@
     </message>
     <message>
         <source>%1, %2 m² in all</source>
-        <translation>%1, %2 m² en tout</translation>
+        <translation>%1, %2&#xa0;m² en tout</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -6424,7 +6894,7 @@
     </message>
     <message>
         <source>%1, %2 m in all</source>
-        <translation>%1, %2 m en tout</translation>
+        <translation>%1, %2&#xa0;m en tout</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -6482,7 +6952,7 @@
     </message>
     <message>
         <source>Click the edge to sew – drag along the outline, or Shift+click twice, for a part of it; Esc ends the tool</source>
-        <translation>Cliquez sur le bord à coudre – glissez le long du contour, ou Maj+clic deux fois, pour une partie ; Échap quitte l’outil</translation>
+        <translation>Cliquez sur le bord à coudre – glissez le long du contour, ou Maj+clic deux fois, pour une partie&#x202f;; Échap quitte l’outil</translation>
     </message>
     <message>
         <source>Click the edges of the row one after the other, Enter sews – F flips, Backspace takes one back</source>
@@ -6529,7 +6999,7 @@
     </message>
     <message>
         <source>Sewing sheet: %1</source>
-        <translation>Gamme de montage : %1</translation>
+        <translation>Gamme de montage&#x202f;: %1</translation>
     </message>
     <message>
         <source>Materials</source>
@@ -6545,11 +7015,11 @@
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1 × %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 m²</source>
-        <translation>%1 m²</translation>
+        <translation>%1&#xa0;m²</translation>
     </message>
     <message>
         <source>Piece</source>
@@ -6577,11 +7047,11 @@
     </message>
     <message>
         <source>%1 mm long, %2 mm from the seam</source>
-        <translation>points de %1 mm, à %2 mm de la couture</translation>
+        <translation>points de %1&#xa0;mm, à %2&#xa0;mm de la couture</translation>
     </message>
     <message>
         <source>piping, %1 mm thick</source>
-        <translation>passepoil de %1 mm</translation>
+        <translation>passepoil de %1&#xa0;mm</translation>
     </message>
     <message>
         <source>plain</source>
@@ -6621,7 +7091,7 @@
     </message>
     <message>
         <source>%1 m², without what lies between the pieces</source>
-        <translation>%1 m², sans ce qui est entre les pièces</translation>
+        <translation>%1&#xa0;m², sans ce qui est entre les pièces</translation>
     </message>
     <message>
         <source>Sewing thread</source>
@@ -6629,11 +7099,11 @@
     </message>
     <message>
         <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
-        <translation>Fil de surpiqûre &lt;span style=&quot;background-color:%1&quot;&gt;    &lt;/span&gt; %1</translation>
+        <translation>Fil de surpiqûre &lt;span style=&quot;background-color:%1&quot;&gt;&#xa0;&#xa0;&#xa0;&#xa0;&lt;/span&gt; %1</translation>
     </message>
     <message>
         <source>%1 m, at %2 m for each metre of a row</source>
-        <translation>%1 m, à %2 m par mètre de rangée</translation>
+        <translation>%1&#xa0;m, à %2&#xa0;m par mètre de rangée</translation>
     </message>
     <message>
         <source>Piping</source>
@@ -6641,7 +7111,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>What</source>
@@ -6677,11 +7147,11 @@
     </message>
     <message>
         <source>Ease, %</source>
-        <translation>Embu, %</translation>
+        <translation>Embu,&#x202f;%</translation>
     </message>
     <message>
         <source>nap one way: all pieces point up</source>
-        <translation>poil en sens unique : toutes les pièces vers le haut</translation>
+        <translation>poil en sens unique&#x202f;: toutes les pièces vers le haut</translation>
     </message>
 </context>
 <context>
@@ -6712,7 +7182,7 @@
     </message>
     <message>
         <source>As long: %1</source>
-        <translation>Même longueur : %1</translation>
+        <translation>Même longueur&#x202f;: %1</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -6724,6 +7194,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>Page d’&amp;accueil</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nou&amp;velle fenêtre</translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation>Aucune autre fenêtre n’a pu être ouverte.</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation>Le système n’a pas démarré le programme une autre fois. Fermez quelques programmes, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation>&amp;Signaler un problème…</translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation>&amp;Nouveautés</translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation>Voici Bolster %1. Les nouveautés sont sous Aide &gt; Nouveautés.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Afficher</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation>L’armature est dans la vue 3D. Dessinez-y les courbes où le tissu est fixé, ou la première pièce.</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation>Dessiner une courbe de &amp;fixation</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation>Dessiner un &amp;rectangle</translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation>Patron d’après une forme…</translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6731,7 +7252,7 @@
     </message>
     <message>
         <source>%1 long, the other side %2: ease %3, %4 – Ctrl lets go of what is near, Esc takes it back</source>
-        <translation>longueur %1, l’autre côté %2 : embu %3, %4 – Ctrl ignore ce qui est proche, Échap annule</translation>
+        <translation>longueur %1, l’autre côté %2&#x202f;: embu %3, %4 – Ctrl ignore ce qui est proche, Échap annule</translation>
     </message>
     <message>
         <source>End of another stretch</source>
@@ -6755,6 +7276,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>&amp;Chiffres…</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>Cou&amp;pe</translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation>Chaque pièce est coupée d’autant plus grande ou plus petite tout autour</translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation>Coupe de %1</translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation>&amp;Coutures</translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation>Chaque couture est cousue d’autant plus à l’intérieur ou à l’extérieur, des deux côtés</translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation>Couture %1</translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation>&amp;Mousse</translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation>Chaque rembourrage et chaque mousse est d’autant plus épais ou plus mince</translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation>Épaisseur de %1</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation>&amp;Fixations</translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation>Chaque courbe de fixation est décalée d’autant, selon chaque axe</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Position de %1</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation>Ri&amp;gidité</translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation>Chaque tissu est d’autant plus rigide ou plus souple</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Rigidité de %1</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation>&amp;Retrait</translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation>Chaque pièce rétrécit ou s’étire d’autant</translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation>Retrait de %1</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation>Coussin</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Traversin</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Banquette</translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation>Chaise de salle à manger</translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation>Fauteuil à oreilles</translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation>Siège auto</translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation>Appuie-tête</translation>
     </message>
 </context>
 <context>
@@ -6834,6 +7461,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>Dessiner une p&amp;ince</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Visite guidée</translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation>Faire glisser une courbe de l’armature</translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation>Les courbes colorées sur l’armature sont là où le tissu est fixé. Cliquez sur l’une d’elles, puis faites glisser un de ses points&#x202f;: la housse suit.</translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation>La housse suit pendant que vous faites glisser, et se stabilise quand vous relâchez.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation>Ctrl+Z, ou ce bouton, annule tout ce qui a été fait, aussi loin que vous voulez. Rien n’est perdu&#x202f;: l’historique garde aussi ce qui a été annulé.</translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation>Tout est comme avant. Les étapes annulées sont encore dans l’historique.</translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation>Choisir une couture</translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation>Les coutures joignent deux bords du patron. Cliquez sur l’une d’elles, dans le patron ou sur la housse&#x202f;: ses deux bords s’illuminent, et la housse montre où elle est.</translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation>Ses propriétés sont maintenant à droite.</translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation>Changer la façon de la coudre</translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation>La couture étant sélectionnée, choisissez dans ses propriétés une autre continuité ou une autre surpiqûre&#x202f;: une arête, une couture arrondie ou lisse.</translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation>La housse montre la couture telle qu’elle sera cousue.</translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation>Regarder la déformation</translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation>Affichage &gt; Carte colore la housse d’après ce que le tissu doit supporter. Choisissez Déformation maximale pour voir où il est le plus étiré.</translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation>La légende dit de combien, et le pointeur lit la valeur à tout endroit.</translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation>Modifier le patron</translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>Faites glisser un point d’un contour, ou coupez une pince (Patron &gt; Dessiner une pince)&#x202f;: ce que vous modifiez à plat est cousu aussitôt.</translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation>Les coutures gardent leur place sur un contour qui change.</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>L’emporter</translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation>Fichier &gt; Exporter le patron écrit du DXF, PDF ou SVG avec marges de couture et crans&#x202f;; Exporter la housse écrit la housse pour les autres.</translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation>Le fichier est écrit.</translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation>La visite est finie</translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation>Vous avez vu comment patron, coutures et armature font la housse. Commencez un modèle à vous&#x202f;: Fichier &gt; Page d’accueil a des gabarits. Ce que fait chaque touche est sous Aide &gt; Touches et souris.</translation>
     </message>
 </context>
 <context>
@@ -6956,11 +7682,7 @@
     <name>Units</name>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6968,7 +7690,19 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7078,7 +7812,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#x202f;%</translation>
     </message>
     <message>
         <source>Frames and foam</source>
@@ -7095,6 +7829,32 @@
     <message>
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>Sélectionnez des pièces, courbes, armatures, mousses ou scans pour les masquer.</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Contraste é&amp;levé</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation>Imprimer la vue</translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation>La vue n’a pas pu être imprimée.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation>L’imprimante n’accepte rien pour l’instant. Vérifiez qu’elle est allumée et a du papier, ou imprimez dans un fichier.</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation>Nouveautés</translation>
     </message>
 </context>
 <context>
@@ -7124,6 +7884,116 @@
     <message>
         <source>Drawn in software</source>
         <translation>Rendu logiciel</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation>D’où vient l’écart&#x202f;?</translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation>Le scan de l’exemplaire</translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation>Le scan d’un exemplaire conforme</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation>D’un exemplaire tel qu’il doit être&#x202f;: là où il s’écarte de la housse, aucune cause n’est cherchée</translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation>Scan de l’&amp;exemplaire</translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation>Scan d’un exemplaire con&amp;forme</translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation>&amp;Chercher la cause</translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation>Recherche d’une cause…</translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation>Dit quelle cause unique explique le mieux l’écart entre un exemplaire fabriqué et la housse&#x202f;: mousse, marge d’une couture, pièce étirée, fixation mal placée, cran décalé.</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Cause</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>Explique</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>Probabilité</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Causes</translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation>Choisissez le scan de l’exemplaire fabriqué.</translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation>Calcul de housses avec chaque cause…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Arrêté.</translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation>Le scan ne montre rien de la housse&#x202f;: est-il là où est le modèle&#x202f;?</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation>Le scan montre %1 de la housse et s’en écarte de %2 (RMS). Toutes les causes ensemble laissent %3.</translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation>Aucune cause seule ne l’explique mieux que le bruit.</translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation>La plus grande part de l’écart n’a pas de cause de ces types, la première n’est donc pas forcément la bonne&#x202f;: donnez aussi le scan d’un exemplaire conforme.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation>Le scan ne la distingue pas de&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau.</translation>
     </message>
 </context>
 <context>
@@ -7176,7 +8046,7 @@
     </message>
     <message>
         <source>Makes the chosen elements as they are in the other version: one step in the history</source>
-        <translation>Rend les éléments choisis tels qu’ils sont dans l’autre version : une étape de l’historique</translation>
+        <translation>Rend les éléments choisis tels qu’ils sont dans l’autre version&#x202f;: une étape de l’historique</translation>
     </message>
     <message>
         <source>Start</source>
@@ -7215,30 +8085,30 @@
     </message>
     <message>
         <source>Hides this piece of the frame from the view, drawing, cushioning and contact; the frame&apos;s properties bring it back</source>
-        <translation>Masque ce morceau de l’armature pour la vue, le dessin, le rembourrage et le contact ; les propriétés de l’armature le rétablissent</translation>
+        <translation>Masque ce morceau de l’armature pour la vue, le dessin, le rembourrage et le contact&#x202f;; les propriétés de l’armature le rétablissent</translation>
     </message>
 </context>
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>Déplacé de x %1, y %2, z %3 mm</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
-        <translation>Limité à un axe ; la même touche libère</translation>
+        <translation>Limité à un axe&#x202f;; la même touche libère</translation>
     </message>
     <message>
         <source>Lifted off the frame along its normal; let go of Ctrl to slide on it</source>
-        <translation>Soulevé de l’armature le long de sa normale ; relâchez Ctrl pour glisser dessus</translation>
+        <translation>Soulevé de l’armature le long de sa normale&#x202f;; relâchez Ctrl pour glisser dessus</translation>
     </message>
     <message>
         <source>On the frame: Ctrl lifts off, S lets go of it, X, Y, Z or Shift keep to an axis</source>
-        <translation>Sur l’armature : Ctrl soulève, S détache, X, Y, Z ou Maj limitent à un axe</translation>
+        <translation>Sur l’armature&#x202f;: Ctrl soulève, S détache, X, Y, Z ou Maj limitent à un axe</translation>
     </message>
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X, Y, Z ou Maj limitent à un axe, S reste sur l’armature, Ctrl soulève, Échap annule</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation>Déplacé de x %1, y %2, z %3</translation>
     </message>
 </context>
 <context>
@@ -7249,7 +8119,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -7260,7 +8130,7 @@
     </message>
     <message>
         <source>Nothing to mend: the pattern can be cut.</source>
-        <translation>Rien à corriger : le patron peut être coupé.</translation>
+        <translation>Rien à corriger&#x202f;: le patron peut être coupé.</translation>
     </message>
     <message>
         <source>Looking the pattern over …</source>
@@ -7302,7 +8172,30 @@
     </message>
     <message>
         <source>Close; the Window menu brings it back</source>
-        <translation>Fermer ; le menu Fenêtre le rouvre</translation>
+        <translation>Fermer&#x202f;; le menu Fenêtre le rouvre</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation>Impossible d’ouvrir «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation>Le système n’a pas démarré le programme une autre fois pour une autre fenêtre. Ouvrez-le plutôt d’ici.</translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation>C’est un dossier. Déposez les fichiers qu’il contient.</translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation>Il n’est pas sur cet ordinateur, ou n’y est plus. Enregistrez-le d’abord dans un dossier.</translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation>Bolster ouvre les projets et modèles (%1), armatures (%2), scans (%3), patrons (%4) et images de tissus (%5). Enregistrez-le dans l’un de ces formats avec le programme d’où il vient.</translation>
     </message>
 </context>
 <context>
@@ -7317,6 +8210,10 @@
     <message>
         <source>Find an element</source>
         <translation>Rechercher un élément</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Éléments</translation>
     </message>
 </context>
 <context>
@@ -7359,7 +8256,7 @@
     </message>
     <message>
         <source>Roll, %1 mm wide</source>
-        <translation>Rouleau, %1 mm de large</translation>
+        <translation>Rouleau, %1&#xa0;mm de large</translation>
     </message>
     <message>
         <source>&amp;Landscape</source>
@@ -7371,7 +8268,7 @@
     </message>
     <message>
         <source>The design says it; it is changed in its properties.</source>
-        <translation>Le modèle l’indique ; cela se modifie dans ses propriétés.</translation>
+        <translation>Le modèle l’indique&#x202f;; cela se modifie dans ses propriétés.</translation>
     </message>
     <message>
         <source>Of patches and edges that have none of their own.</source>
@@ -7422,13 +8319,6 @@
         <translation>Per&amp;çages</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n pièce sur %1 x %2 mm</numerusform>
-            <numerusform>%n pièces sur %1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n page</numerusform>
@@ -7438,8 +8328,8 @@
     <message numerus="yes">
         <source>%n patches are left out: their outlines cross themselves</source>
         <translation>
-            <numerusform>%n pièce est omise : son contour se croise</numerusform>
-            <numerusform>%n pièces sont omises : leurs contours se croisent</numerusform>
+            <numerusform>%n pièce est omise&#x202f;: son contour se croise</numerusform>
+            <numerusform>%n pièces sont omises&#x202f;: leurs contours se croisent</numerusform>
         </translation>
     </message>
     <message>
@@ -7456,7 +8346,7 @@
     </message>
     <message>
         <source>too many sheets: is its unit right?</source>
-        <translation>trop de feuilles : l’unité est-elle la bonne ?</translation>
+        <translation>trop de feuilles&#x202f;: l’unité est-elle la bonne&#x202f;?</translation>
     </message>
     <message>
         <source>the first %1 are shown</source>
@@ -7468,7 +8358,14 @@
     </message>
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
-        <translation>Un double-clic quitte cette fenêtre et montre où c’est ; toute la liste est dans le panneau « Vérification avant coupe ».</translation>
+        <translation>Un double-clic quitte cette fenêtre et montre où c’est&#x202f;; toute la liste est dans le panneau «&#x202f;Vérification avant coupe&#x202f;».</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation>
+            <numerusform>%n pièce sur %1</numerusform>
+            <numerusform>%n pièces sur %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7479,7 +8376,7 @@
     </message>
     <message>
         <source>Name:</source>
-        <translation>Nom :</translation>
+        <translation>Nom&#x202f;:</translation>
     </message>
     <message>
         <source>Delete fabric</source>
@@ -7488,8 +8385,8 @@
     <message numerus="yes">
         <source>%n patches have &quot;%1&quot;. What shall they get instead?</source>
         <translation>
-            <numerusform>%n pièce a « %1 ». Que doit-elle recevoir à la place ?</numerusform>
-            <numerusform>%n pièces ont « %1 ». Que doivent-elles recevoir à la place ?</numerusform>
+            <numerusform>%n pièce a «&#x202f;%1&#x202f;». Que doit-elle recevoir à la place&#x202f;?</numerusform>
+            <numerusform>%n pièces ont «&#x202f;%1&#x202f;». Que doivent-elles recevoir à la place&#x202f;?</numerusform>
         </translation>
     </message>
     <message>
@@ -7502,7 +8399,7 @@
     </message>
     <message>
         <source>Name of the colourway; it begins as what is shown now:</source>
-        <translation>Nom du coloris ; il part de ce qui est affiché :</translation>
+        <translation>Nom du coloris&#x202f;; il part de ce qui est affiché&#x202f;:</translation>
     </message>
     <message>
         <source>Colourway</source>
@@ -7542,7 +8439,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; could not be read.</source>
-        <translation>« %1 » n’a pas pu être lu.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être lu.</translation>
     </message>
     <message>
         <source>Nothing was imported.</source>
@@ -7573,7 +8470,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not deleted.</source>
-        <translation>« %1 » n’est pas supprimé.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas supprimé.</translation>
     </message>
     <message>
         <source>It is the only fabric, and patches are made of it. Add another one first.</source>
@@ -7616,7 +8513,7 @@
     </message>
     <message>
         <source>Fabrics: drag them onto patches</source>
-        <translation>Tissus : à glisser sur les pièces</translation>
+        <translation>Tissus&#x202f;: à glisser sur les pièces</translation>
     </message>
     <message>
         <source>New</source>
@@ -7651,7 +8548,7 @@
     </message>
     <message>
         <source>Drag it onto a patch; a double click shows its properties.</source>
-        <translation>Glissez-le sur une pièce ; un double-clic montre ses propriétés.</translation>
+        <translation>Glissez-le sur une pièce&#x202f;; un double-clic montre ses propriétés.</translation>
     </message>
     <message>
         <source>Adds this fabric to the library of the design</source>
@@ -7674,22 +8571,22 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>turned by %1</source>
         <translation>tourné de %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n point, %1 mm</numerusform>
-            <numerusform>%n points, %1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, de %2 à %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation>
+            <numerusform>%n point, %1</numerusform>
+            <numerusform>%n points, %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7700,22 +8597,22 @@
     </message>
     <message>
         <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>Enregistrer les modifications de « %1 » ?</translation>
+        <translation>Enregistrer les modifications de «&#x202f;%1&#x202f;»&#x202f;?</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be opened.</source>
-        <translation>« %1 » n’a pas pu être ouvert.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être ouvert.</translation>
     </message>
     <message numerus="yes">
         <source>%n elements cannot be used as they are; everything else works.</source>
         <translation>
-            <numerusform>%n élément n’est pas utilisable tel quel ; tout le reste fonctionne.</numerusform>
-            <numerusform>%n éléments ne sont pas utilisables tels quels ; tout le reste fonctionne.</numerusform>
+            <numerusform>%n élément n’est pas utilisable tel quel&#x202f;; tout le reste fonctionne.</numerusform>
+            <numerusform>%n éléments ne sont pas utilisables tels quels&#x202f;; tout le reste fonctionne.</numerusform>
         </translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be saved.</source>
-        <translation>« %1 » n’a pas pu être enregistré.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être enregistré.</translation>
     </message>
     <message>
         <source>Saved as %1</source>
@@ -7739,7 +8636,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; could not be imported.</source>
-        <translation>« %1 » n’a pas pu être importé.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être importé.</translation>
     </message>
     <message>
         <source>Export surface</source>
@@ -7767,7 +8664,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not replaced.</source>
-        <translation>« %1 » n’est pas remplacé.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas remplacé.</translation>
     </message>
     <message>
         <source>-cover</source>
@@ -7807,11 +8704,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is open in another window.</source>
-        <translation>« %1 » est ouvert dans une autre fenêtre.</translation>
+        <translation>«&#x202f;%1&#x202f;» est ouvert dans une autre fenêtre.</translation>
     </message>
     <message>
         <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>Il peut être ouvert ici pour consultation ; ce qui est modifié s’enregistre sous un autre nom.</translation>
+        <translation>Il peut être ouvert ici pour consultation&#x202f;; ce qui est modifié s’enregistre sous un autre nom.</translation>
     </message>
     <message>
         <source>Save a copy</source>
@@ -7858,7 +8755,7 @@
     </message>
     <message>
         <source>Recovering &quot;%1&quot; …</source>
-        <translation>Récupération de « %1 »…</translation>
+        <translation>Récupération de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>Nothing could be recovered.</source>
@@ -7866,11 +8763,11 @@
     </message>
     <message>
         <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>Ce qui était lisible est maintenant dans « %1 ».</translation>
+        <translation>Ce qui était lisible est maintenant dans «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>Quelqu’un d’autre a modifié « %1 » depuis son ouverture ici.</translation>
+        <translation>Quelqu’un d’autre a modifié «&#x202f;%1&#x202f;» depuis son ouverture ici.</translation>
     </message>
     <message>
         <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
@@ -7909,7 +8806,7 @@
     </message>
     <message>
         <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>C’est la version où vous étiez en dernier ; celle du fichier est sous Fichier &gt; Revenir à la version enregistrée</translation>
+        <translation>C’est la version où vous étiez en dernier&#x202f;; celle du fichier est sous Fichier &gt; Revenir à la version enregistrée</translation>
     </message>
     <message>
         <source>&amp;Clear this list</source>
@@ -7951,7 +8848,7 @@
     </message>
     <message>
         <source>%1: the design alone, without its history</source>
-        <translation>%1 : le modèle seul, sans son historique</translation>
+        <translation>%1&#x202f;: le modèle seul, sans son historique</translation>
     </message>
     <message>
         <source>&amp;Try again</source>
@@ -7982,7 +8879,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>« %1 » n’est plus le fichier qui a été ouvert ou enregistré ici.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est plus le fichier qui a été ouvert ou enregistré ici.</translation>
     </message>
     <message>
         <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
@@ -7994,19 +8891,19 @@
     </message>
     <message>
         <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>Ce qui était à la place de « %1 » est maintenant dans « %2 ».</translation>
+        <translation>Ce qui était à la place de «&#x202f;%1&#x202f;» est maintenant dans «&#x202f;%2&#x202f;».</translation>
     </message>
     <message>
         <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>Le travail non enregistré sur « %1 » n’a pas pu être restauré.</translation>
+        <translation>Le travail non enregistré sur «&#x202f;%1&#x202f;» n’a pas pu être restauré.</translation>
     </message>
     <message>
         <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>Le travail non enregistré sur « %1 » est endommagé.</translation>
+        <translation>Le travail non enregistré sur «&#x202f;%1&#x202f;» est endommagé.</translation>
     </message>
     <message>
         <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>Ce qui en était lisible est maintenant dans « %1 ».</translation>
+        <translation>Ce qui en était lisible est maintenant dans «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>Nothing of it could be read.</source>
@@ -8021,16 +8918,12 @@
         <translation>&amp;Ouvrir ce qui a été récupéré</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>Ce qui est lisible va dans un nouveau projet. Ce dont vous ne voulez plus est supprimé 30 jours après sa mise à la corbeille.</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>Mettre à la &amp;corbeille</translation>
     </message>
     <message>
         <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>Rien ne protège d’un plantage ce que vous faites depuis %1 : Bolster ne peut pas écrire dans le dossier « %2 ». Libérez-y de la place, ou enregistrez le modèle.</translation>
+        <translation>Rien ne protège d’un plantage ce que vous faites depuis %1&#x202f;: Bolster ne peut pas écrire dans le dossier «&#x202f;%2&#x202f;». Libérez-y de la place, ou enregistrez le modèle.</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -8042,11 +8935,11 @@
     </message>
     <message>
         <source>Not saved yet: %1.</source>
-        <translation>Pas encore enregistré : %1.</translation>
+        <translation>Pas encore enregistré&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>Restauration du travail sur « %1 »…</translation>
+        <translation>Restauration du travail sur «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>The work stays under File &gt; Unsaved work</source>
@@ -8122,11 +9015,18 @@
     </message>
     <message>
         <source>&quot;%1&quot; is written.</source>
-        <translation>« %1 » est écrit.</translation>
+        <translation>«&#x202f;%1&#x202f;» est écrit.</translation>
     </message>
     <message>
         <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>Le patron est importé. Ce qui diffère du fichier :</translation>
+        <translation>Le patron est importé. Ce qui diffère du fichier&#x202f;:</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Ce qui est lisible va dans un nouveau projet. Ce que vous ne voulez plus est supprimé après %n jour dans la corbeille.</numerusform>
+            <numerusform>Ce qui est lisible va dans un nouveau projet. Ce que vous ne voulez plus est supprimé après %n jours dans la corbeille.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8180,16 +9080,8 @@
         <translation>Largeur, profondeur, hauteur</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
-        <translation>C’est inhabituel pour un meuble : vérifiez l’unité.</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>Le fichier a %1 points. C’est plus qu’il n’en faut pour ajuster une housse, ils ont donc été réduits à un tous les %2 mm.</translation>
+        <translation>C’est inhabituel pour un meuble&#x202f;: vérifiez l’unité.</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8221,7 +9113,7 @@
     </message>
     <message>
         <source>It would be %1 large. Import it like that?</source>
-        <translation>Cela ferait %1. Importer ainsi ?</translation>
+        <translation>Cela ferait %1. Importer ainsi&#x202f;?</translation>
     </message>
     <message>
         <source>Another unit or factor makes it as large as it is meant.</source>
@@ -8248,23 +9140,27 @@
     </message>
     <message>
         <source>The file says its unit; the axes are guessed.</source>
-        <translation>Le fichier indique son unité ; les axes sont supposés.</translation>
+        <translation>Le fichier indique son unité&#x202f;; les axes sont supposés.</translation>
     </message>
     <message>
         <source>The file says its axes; the unit is guessed.</source>
-        <translation>Le fichier indique ses axes ; l’unité est supposée.</translation>
+        <translation>Le fichier indique ses axes&#x202f;; l’unité est supposée.</translation>
     </message>
     <message>
         <source>Unit and axes are guessed: look at the picture and the size.</source>
-        <translation>Unité et axes sont supposés : regardez l’image et la taille.</translation>
+        <translation>Unité et axes sont supposés&#x202f;: regardez l’image et la taille.</translation>
     </message>
     <message>
         <source>&amp;Keep position and rotation</source>
         <translation>&amp;Garder position et rotation</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>Cela faisait %1 mm et fera %2 mm : vérifiez l’unité.</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation>Le fichier a %1 points. C’est plus qu’il n’en faut pour ajuster une housse&#x202f;; ils ont donc été réduits à un tous les %2.</translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation>La taille était de %1 et devient %2&#x202f;: vérifiez l’unité.</translation>
     </message>
 </context>
 <context>
@@ -8272,6 +9168,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>Pièces mises à plat</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Un fichier…</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>Maillages et scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -8306,7 +9213,7 @@
     </message>
     <message>
         <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>Courbes de fixation du modèle. Dessinez des lignes de couture sur une armature avec l’outil des courbes de fixation : ce qui est dessiné entre-temps est aussitôt coupé</translation>
+        <translation>Courbes de fixation du modèle. Dessinez des lignes de couture sur une armature avec l’outil des courbes de fixation&#x202f;: ce qui est dessiné entre-temps est aussitôt coupé</translation>
     </message>
     <message>
         <source>&amp;Form</source>
@@ -8322,7 +9229,7 @@
     </message>
     <message>
         <source>and along the ticked lines:</source>
-        <translation>et le long des lignes cochées :</translation>
+        <translation>et le long des lignes cochées&#x202f;:</translation>
     </message>
     <message>
         <source>The cover as it is</source>
@@ -8354,7 +9261,7 @@
     </message>
     <message>
         <source>There is no form: import a frame first.</source>
-        <translation>Il n’y a pas de forme : importez d’abord une armature.</translation>
+        <translation>Il n’y a pas de forme&#x202f;: importez d’abord une armature.</translation>
     </message>
     <message>
         <source>Laying it flat …</source>
@@ -8376,13 +9283,13 @@
     </message>
     <message>
         <source>Most strained: %1, %2 (rms)</source>
-        <translation>La plus déformée : %1, %2 (RMS)</translation>
+        <translation>La plus déformée&#x202f;: %1, %2 (RMS)</translation>
     </message>
     <message numerus="yes">
         <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
         <translation>
-            <numerusform>%n pièce est par endroits plus déformée que le tissu ne l’admet (jaune) : divisez-la, ou entaillez-la là.</numerusform>
-            <numerusform>%n pièces sont par endroits plus déformées que le tissu ne l’admet (jaune) : divisez-les, ou entaillez-les là.</numerusform>
+            <numerusform>%n pièce est par endroits plus déformée que le tissu ne l’admet (jaune)&#x202f;: divisez-la, ou entaillez-la là.</numerusform>
+            <numerusform>%n pièces sont par endroits plus déformées que le tissu ne l’admet (jaune)&#x202f;: divisez-les, ou entaillez-les là.</numerusform>
         </translation>
     </message>
     <message>
@@ -8409,11 +9316,11 @@
     <name>bolster::GlCanvas</name>
     <message>
         <source>No OpenGL: drawn in software</source>
-        <translation>Pas d’OpenGL : rendu logiciel</translation>
+        <translation>Pas d’OpenGL&#x202f;: rendu logiciel</translation>
     </message>
     <message>
         <source>OpenGL is older than 3.3: drawn in software</source>
-        <translation>OpenGL antérieur à 3.3 : rendu logiciel</translation>
+        <translation>OpenGL antérieur à 3.3&#x202f;: rendu logiciel</translation>
     </message>
 </context>
 <context>
@@ -8432,6 +9339,10 @@
     <message>
         <source>Find a change or a version</source>
         <translation>Rechercher une modification ou une version</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
     </message>
 </context>
 <context>
@@ -8508,10 +9419,6 @@
         <translation>Ce que deviennent les contours des pièces quand le fichier a les deux lignes.</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>Les contours dont les bouts ne sont pas plus éloignés sont fermés par une droite.</translation>
     </message>
@@ -8541,19 +9448,11 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 – %2 × %3 mm</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8570,13 +9469,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n contour est ouvert : ses bouts sont écartés jusqu’à %1 mm. Fermez les jours jusque-là, si c’est un contour.</numerusform>
-            <numerusform>%n contours sont ouverts : leurs bouts sont écartés jusqu’à %1 mm. Fermez les jours jusque-là, si ce sont des contours.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n lines lay twice on themselves and are taken once.</source>
         <translation>
             <numerusform>%n ligne était en double et est prise une fois.</numerusform>
@@ -8585,11 +9477,11 @@
     </message>
     <message>
         <source>Not read: %1</source>
-        <translation>Non lu : %1</translation>
+        <translation>Non lu&#x202f;: %1</translation>
     </message>
     <message>
         <source>The file does not say its unit for certain: look at the measures.</source>
-        <translation>Le fichier n’indique pas son unité avec certitude : regardez les mesures.</translation>
+        <translation>Le fichier n’indique pas son unité avec certitude&#x202f;: regardez les mesures.</translation>
     </message>
     <message>
         <source>Pixels (1/96 inch)</source>
@@ -8601,15 +9493,37 @@
     </message>
     <message>
         <source>In no piece and left out, by layer: %1</source>
-        <translation>Dans aucune pièce et omis, par calque : %1</translation>
+        <translation>Dans aucune pièce et omis, par calque&#x202f;: %1</translation>
     </message>
     <message>
         <source>Marks of grading, stripes or nothing that is known, left out by layer: %1</source>
-        <translation>Marques de gradation, de rayures ou inconnues, omises par calque : %1</translation>
+        <translation>Marques de gradation, de rayures ou inconnues, omises par calque&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
-        <translation>%1 a %2 pièces ; %3 au plus peuvent être importées à la fois : les premières sont choisies.</translation>
+        <translation>%1 a %2 pièces&#x202f;; %3 au plus peuvent être importées à la fois&#x202f;: les premières sont choisies.</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n contour est ouvert&#x202f;: ses bouts sont éloignés jusqu’à %1. Fermez les jours jusqu’à cette valeur, si c’est un contour.</numerusform>
+            <numerusform>%n contours sont ouverts&#x202f;: leurs bouts sont éloignés jusqu’à %1. Fermez les jours jusqu’à cette valeur, si ce sont des contours.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation>Aucun travail en cours.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
     </message>
 </context>
 <context>
@@ -8621,14 +9535,6 @@
     <message>
         <source>Messages</source>
         <translation>Messages</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8648,7 +9554,7 @@
     </message>
     <message>
         <source>Folded cloth can lie in several ways, and where a drag leaves it depends on the way of the pointer. What you see now follows from the design alone: whoever opens it sees the same, and so do exports and pictures. If you want the other shape, tell the design: hold the cloth there with a handle, or make the piece smaller until it needs no folds.</source>
-        <translation>Un tissu plié peut reposer de plusieurs façons, et celle que laisse un glissement dépend du trajet du pointeur. Ce que vous voyez maintenant découle du modèle seul : quiconque l’ouvre voit la même chose, de même que les exportations et les images. Si vous voulez l’autre forme, dites-le au modèle : tenez-y le tissu par une courbe de maintien, ou réduisez la pièce jusqu’à ce qu’elle n’ait plus besoin de plis.</translation>
+        <translation>Un tissu plié peut reposer de plusieurs façons, et celle que laisse un glissement dépend du trajet du pointeur. Ce que vous voyez maintenant découle du modèle seul&#x202f;: quiconque l’ouvre voit la même chose, de même que les exportations et les images. Si vous voulez l’autre forme, dites-le au modèle&#x202f;: tenez-y le tissu par une courbe de maintien, ou réduisez la pièce jusqu’à ce qu’elle n’ait plus besoin de plis.</translation>
     </message>
     <message>
         <source>%1[*] (read-only) – Bolster</source>
@@ -8660,6 +9566,65 @@
             <numerusform>%n pièce est dans le patron. Couture &gt; Proposer des coutures trouve ce qui va ensemble.</numerusform>
             <numerusform>%n pièces sont dans le patron. Couture &gt; Proposer des coutures trouve ce qui va ensemble.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation>Bolster a encore un travail en cours.</translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation>Ce qui est fermé maintenant n’est pas fini&#x202f;; les fichiers en cours d’écriture restent comme avant.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>&amp;Arrêter et fermer</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Retour (Alt+Gauche)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Avancer (Alt+Droite)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Avancer</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>Chercher dans toutes les pages</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>Le manuel n’a pas de page « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -8721,7 +9686,7 @@
     </message>
     <message>
         <source>Here: %1</source>
-        <translation>Ici : %1</translation>
+        <translation>Ici&#x202f;: %1</translation>
     </message>
     <message>
         <source>over the fabric&apos;s limit</source>
@@ -8756,23 +9721,23 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no distance from the corner on this edge.</source>
-        <translation>« %1 » n’est pas une distance au coin sur ce bord.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une distance au coin sur ce bord.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no place: try 120, 40</source>
-        <translation>« %1 » n’est pas une position : essayez 120, 40</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une position&#x202f;: essayez 120, 40</translation>
     </message>
     <message>
         <source>Click an outline to place a notch, or type how far it is from the corner; on a seam the other side gets one, too – Esc ends the tool</source>
-        <translation>Cliquez sur un contour pour placer un cran, ou saisissez sa distance au coin ; sur une couture, l’autre côté en reçoit un aussi – Échap quitte l’outil</translation>
+        <translation>Cliquez sur un contour pour placer un cran, ou saisissez sa distance au coin&#x202f;; sur une couture, l’autre côté en reçoit un aussi – Échap quitte l’outil</translation>
     </message>
     <message>
         <source>Click inside a patch to place a drill hole, or type where: 120, 40 – Esc ends the tool</source>
-        <translation>Cliquez dans une pièce pour placer un perçage, ou saisissez où : 120, 40 – Échap quitte l’outil</translation>
+        <translation>Cliquez dans une pièce pour placer un perçage, ou saisissez où&#x202f;: 120, 40 – Échap quitte l’outil</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no width of an allowance: try 12</source>
-        <translation>« %1 » n’est pas une largeur de marge : essayez 12</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une largeur de marge&#x202f;: essayez 12</translation>
     </message>
     <message>
         <source>Drag its handle, or type its width – its properties say what it is like</source>
@@ -8780,7 +9745,7 @@
     </message>
     <message>
         <source>Click an edge to give it a seam allowance of its own, or type its width; drag its handle – Esc ends the tool</source>
-        <translation>Cliquez sur un bord pour lui donner sa propre marge de couture, ou saisissez sa largeur ; faites glisser sa poignée – Échap quitte l’outil</translation>
+        <translation>Cliquez sur un bord pour lui donner sa propre marge de couture, ou saisissez sa largeur&#x202f;; faites glisser sa poignée – Échap quitte l’outil</translation>
     </message>
     <message>
         <source>Point at an outline, then type how far the notch is from the corner</source>
@@ -8788,7 +9753,7 @@
     </message>
     <message>
         <source>Point into a patch, then type where the drill hole lies: 120, 40</source>
-        <translation>Pointez dans une pièce, puis saisissez où est le perçage : 120, 40</translation>
+        <translation>Pointez dans une pièce, puis saisissez où est le perçage&#x202f;: 120, 40</translation>
     </message>
     <message>
         <source>Point at an edge, then type how wide its allowance is</source>
@@ -8799,7 +9764,7 @@
     <name>bolster::NextStep</name>
     <message>
         <source>Next: %1 for the other side.</source>
-        <translation>Ensuite : %1 pour l’autre côté.</translation>
+        <translation>Ensuite&#x202f;: %1 pour l’autre côté.</translation>
     </message>
     <message>
         <source>draw a second patch</source>
@@ -8807,7 +9772,7 @@
     </message>
     <message>
         <source>Next: %1 – click an edge, then the edge it is sewn to.</source>
-        <translation>Ensuite : %1 – cliquez sur un bord, puis sur le bord auquel il est cousu.</translation>
+        <translation>Ensuite&#x202f;: %1 – cliquez sur un bord, puis sur le bord auquel il est cousu.</translation>
     </message>
     <message>
         <source>sew the patches</source>
@@ -8815,7 +9780,7 @@
     </message>
     <message>
         <source>Next: %1 and give them a pressure in the properties.</source>
-        <translation>Ensuite : %1 et leur donner une pression dans les propriétés.</translation>
+        <translation>Ensuite&#x202f;: %1 et leur donner une pression dans les propriétés.</translation>
     </message>
     <message>
         <source>select all patches</source>
@@ -8823,7 +9788,7 @@
     </message>
     <message>
         <source>Next: %1 – click points on it, Enter ends – to which the cover is attached.</source>
-        <translation>Ensuite : %1 – cliquez des points dessus, Entrée termine – à laquelle la housse est fixée.</translation>
+        <translation>Ensuite&#x202f;: %1 – cliquez des points dessus, Entrée termine – à laquelle la housse est fixée.</translation>
     </message>
     <message>
         <source>draw a fixation curve on the frame</source>
@@ -8831,7 +9796,7 @@
     </message>
     <message>
         <source>Next: select a fixation curve and %1 to it.</source>
-        <translation>Ensuite : sélectionner une courbe de fixation et y %1.</translation>
+        <translation>Ensuite&#x202f;: sélectionner une courbe de fixation et y %1.</translation>
     </message>
     <message>
         <source>attach an edge</source>
@@ -8846,23 +9811,23 @@
     </message>
     <message>
         <source>Not taken: a number is needed</source>
-        <translation>Non repris : il faut un nombre</translation>
+        <translation>Non repris&#x202f;: il faut un nombre</translation>
     </message>
     <message>
         <source>Not taken: &quot;%1&quot; is not a length</source>
-        <translation>Non repris : « %1 » n’est pas une longueur</translation>
+        <translation>Non repris&#x202f;: «&#x202f;%1&#x202f;» n’est pas une longueur</translation>
     </message>
     <message>
         <source>Not taken: &quot;%1&quot; is not a number</source>
-        <translation>Non repris : « %1 » n’est pas un nombre</translation>
+        <translation>Non repris&#x202f;: «&#x202f;%1&#x202f;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>Not taken: %1 is too little, at least %2</source>
-        <translation>Non repris : %1 est trop petit, au moins %2</translation>
+        <translation>Non repris&#x202f;: %1 est trop petit, au moins %2</translation>
     </message>
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
-        <translation>Non repris : %1 est trop grand, au plus %2</translation>
+        <translation>Non repris&#x202f;: %1 est trop grand, au plus %2</translation>
     </message>
 </context>
 <context>
@@ -8891,7 +9856,7 @@
     <name>bolster::PatternCommands</name>
     <message>
         <source>Removed, because they make no sense any more: %1</source>
-        <translation>Supprimés, car ils n’ont plus de sens : %1</translation>
+        <translation>Supprimés, car ils n’ont plus de sens&#x202f;: %1</translation>
     </message>
     <message>
         <source>This stretch is straight already.</source>
@@ -9062,7 +10027,7 @@
     </message>
     <message>
         <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>En droit-fil, en travers et en cisaillement ; la housse reste où elle est</translation>
+        <translation>En droit-fil, en travers et en cisaillement&#x202f;; la housse reste où elle est</translation>
     </message>
     <message>
         <source> %</source>
@@ -9122,7 +10087,7 @@
     </message>
     <message>
         <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>Les côtés d’une couture gardent leur différence ; si elle est loin de l’embu de la couture, elle s’en rapproche</translation>
+        <translation>Les côtés d’une couture gardent leur différence&#x202f;; si elle est loin de l’embu de la couture, elle s’en rapproche</translation>
     </message>
     <message>
         <source>St&amp;raight edges</source>
@@ -9131,10 +10096,6 @@
     <message>
         <source>An&amp;gles of corners</source>
         <translation>An&amp;gles des coins</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>No point &amp;moves farther than</source>
@@ -9161,16 +10122,8 @@
         <translation>&amp;Combien</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Un fichier…</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>La forme sur laquelle la housse doit reposer</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Maillages et scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9186,11 +10139,7 @@
     </message>
     <message>
         <source>Stopped; nothing has changed.</source>
-        <translation>Arrêté ; rien n’a changé.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
+        <translation>Arrêté&#x202f;; rien n’a changé.</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9210,11 +10159,11 @@
     </message>
     <message>
         <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>De la forme : %1 avant, %2 maintenant (RMS) ; %3 avant, %4 maintenant (95 %)</translation>
+        <translation>De la forme&#x202f;: %1 avant, %2 maintenant (RMS)&#x202f;; %3 avant, %4 maintenant (95&#x202f;%)</translation>
     </message>
     <message>
         <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>Au-delà de la limite : %1 de la housse avant, %2 maintenant</translation>
+        <translation>Au-delà de la limite&#x202f;: %1 de la housse avant, %2 maintenant</translation>
     </message>
     <message>
         <source>The cover moves by %1 (rms).</source>
@@ -9222,7 +10171,7 @@
     </message>
     <message>
         <source>On the way a fold came or went: look at the cover before you take it.</source>
-        <translation>En chemin, un pli est apparu ou a disparu : regardez la housse avant de reprendre.</translation>
+        <translation>En chemin, un pli est apparu ou a disparu&#x202f;: regardez la housse avant de reprendre.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the numbers that may change do nothing here.</source>
@@ -9233,11 +10182,11 @@
     </message>
     <message>
         <source>Arrows in the pattern: %1 times as long as the way</source>
-        <translation>Flèches dans le patron : %1 fois la longueur du trajet</translation>
+        <translation>Flèches dans le patron&#x202f;: %1 fois la longueur du trajet</translation>
     </message>
     <message>
         <source>Arrows in the pattern: where its outlines go</source>
-        <translation>Flèches dans le patron : où vont ses contours</translation>
+        <translation>Flèches dans le patron&#x202f;: où vont ses contours</translation>
     </message>
     <message>
         <source>Taken. Undo takes it back.</source>
@@ -9245,22 +10194,314 @@
     </message>
     <message>
         <source>The design has changed meanwhile: find the changes again.</source>
-        <translation>Le modèle a changé entre-temps : cherchez de nouveau les modifications.</translation>
+        <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau les modifications.</translation>
     </message>
     <message>
         <source>With all of the changes:</source>
-        <translation>Avec toutes les modifications :</translation>
+        <translation>Avec toutes les modifications&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation>Ajustement du patron…</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Aucu&amp;n pli dans les pièces sélectionnées</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Leur tissu n’est comprimé nulle part&#x202f;; aucune sélectionnée&#x202f;: toutes</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>La couture sélectionnée sui&amp;t</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Une courbe dessinée sur l’armature ou la forme&#x202f;; elle n’a rien à tenir</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Part de l’aire</translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation>Aire que gardent les pièces &amp;sélectionnées</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Moins de 100&#x202f;%&#x202f;: elles rapetissent</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Sélectionnez la couture qui doit suivre la courbe.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Sélectionnez les pièces qui doivent grandir ou rapetisser.</translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation>Modification du patron…</translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation>Comprimé&#x202f;: %1 avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation>De la courbe&#x202f;: %1 avant, %2 maintenant (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation>Écart à l’aire voulue&#x202f;: %1 avant, %2 maintenant</translation>
     </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
     <message>
         <source>Drag down for a level guide. Marks move upright guides; drag them off to remove them.</source>
-        <translation>Glissez vers le bas pour un repère horizontal. Les marques déplacent les repères verticaux ; glissez-les hors de la règle pour les supprimer.</translation>
+        <translation>Glissez vers le bas pour un repère horizontal. Les marques déplacent les repères verticaux&#x202f;; glissez-les hors de la règle pour les supprimer.</translation>
     </message>
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
-        <translation>Glissez vers la droite pour un repère vertical. Les marques déplacent les repères horizontaux ; glissez-les hors de la règle pour les supprimer.</translation>
+        <translation>Glissez vers la droite pour un repère vertical. Les marques déplacent les repères horizontaux&#x202f;; glissez-les hors de la règle pour les supprimer.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation>Préférences (*.json)</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>Aucun réglage n’a ces mots.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>Rechercher un réglage</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation>&amp;Modifier les raccourcis un par un…</translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation>Revenir aux valeurs par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation>Tous les réglages de cette page</translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation>Exporter les préférences</translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation>Préférences Bolster.json</translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation>Importer des préférences</translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation>Les préférences n’ont pas pu être exportées.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation>Rien n’a été importé de «&#x202f;%1&#x202f;»&#x202f;; tous les réglages sont comme avant.</translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation>Les préférences ont été importées.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation>
+            <numerusform>Cette version de Bolster n’en connaît pas %n&#x202f;: %1</numerusform>
+            <numerusform>Cette version de Bolster n’en connaît pas %n&#x202f;: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Déplacer la vue</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomer</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>Dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Dans le patron</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1 : ce que cela signifie et que faire</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation>Détendre le tissu</translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation>C&amp;hercher des modifications</translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation>Recherche de ce qui détend le tissu…</translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation>Là où le tissu est plus déformé ou comprimé qu’il ne doit, des modifications du patron sont essayées, et les meilleures calculées.</translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation>Modifications proposées</translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation>La déformation est d’au pl&amp;us</translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation>Sinon, les limites des tissus comptent</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Limite de déformation</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation>Les &amp;bords bougent d’au plus</translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation>Essai de modifications…</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>Arrêté&#x202f;; rien n’a changé.</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation>Rien n’est déformé au-delà de la limite.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation>%1 de la housse dépasse la limite. Aucune modification ne la détend.</translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Chacune est calculée séparément&#x202f;; «&#x202f;Appliquer&#x202f;» est une seule étape, que l’on peut annuler.</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>État actuel</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation>%1 de la housse dépasse la limite.</translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation>%1 de déformation en moins au-delà de la limite</translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation>%1 de déformation en plus au-delà de la limite</translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation>%1 de la housse en moins au-delà</translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation>%1 de la housse en plus au-delà</translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation>Cousu&#x202f;: %1 de plus</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation>Côtés de coutures plus inégaux de %1</translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation>Contours modifiés de %1</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>Montrer où</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation>Appliquer&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation>Appliqué. Annuler revient en arrière&#x202f;; cherchez de nouveau pour voir ce qui aide maintenant.</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau.</translation>
     </message>
 </context>
 <context>
@@ -9327,19 +10568,19 @@
     </message>
     <message>
         <source>&amp;Size:</source>
-        <translation>&amp;Taille :</translation>
+        <translation>&amp;Taille&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;View:</source>
-        <translation>&amp;Vue :</translation>
+        <translation>&amp;Vue&#x202f;:</translation>
     </message>
     <message>
         <source>Sho&amp;w:</source>
-        <translation>Affic&amp;hage :</translation>
+        <translation>Affic&amp;hage&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Quality:</source>
-        <translation>&amp;Qualité :</translation>
+        <translation>&amp;Qualité&#x202f;:</translation>
     </message>
     <message>
         <source>Drawing …</source>
@@ -9363,11 +10604,11 @@
     </message>
     <message>
         <source>At most %1 million pixels are drawn; choose a smaller size.</source>
-        <translation>%1 millions de pixels au plus sont dessinés ; choisissez une taille plus petite.</translation>
+        <translation>%1 millions de pixels au plus sont dessinés&#x202f;; choisissez une taille plus petite.</translation>
     </message>
     <message>
         <source>The picture cannot be written: %1</source>
-        <translation>Impossible d’écrire l’image : %1</translation>
+        <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
     </message>
     <message>
         <source>Render to</source>
@@ -9383,7 +10624,7 @@
     </message>
     <message>
         <source>Cancelled; nothing was written.</source>
-        <translation>Annulé ; rien n’a été écrit.</translation>
+        <translation>Annulé&#x202f;; rien n’a été écrit.</translation>
     </message>
     <message>
         <source>one picture</source>
@@ -9399,7 +10640,7 @@
     </message>
     <message>
         <source>&amp;Around the cover:</source>
-        <translation>Autou&amp;r de la housse :</translation>
+        <translation>Autou&amp;r de la housse&#x202f;:</translation>
     </message>
     <message>
         <source>All colourways on a sheet</source>
@@ -9407,7 +10648,7 @@
     </message>
     <message>
         <source>Map: %1</source>
-        <translation>Carte : %1</translation>
+        <translation>Carte&#x202f;: %1</translation>
     </message>
     <message>
         <source>&amp;Frame and foam</source>
@@ -9427,11 +10668,101 @@
     </message>
     <message>
         <source>The picture is written: %1</source>
-        <translation>L’image est écrite : %1</translation>
+        <translation>L’image est écrite&#x202f;: %1</translation>
     </message>
     <message>
         <source>Open its folder</source>
         <translation>Ouvrir son dossier</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation>Ce qui a été produit</translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation>Dessin de %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Signaler un problème</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation>Qu’avez-vous fait, que s’est-il passé, et qu’aurait-il dû se passer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation>&amp;Ce qui s’est passé&#x202f;:</translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation>&amp;Joindre le modèle («&#x202f;%1&#x202f;»), sans ses armatures, scans et images</translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation>Ce que le &amp;rapport dit d’autre&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>Écrire le rapport…</translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation>Cela écrit un fichier que vous pouvez donner à ceux qui peuvent aider. Bolster n’envoie rien.</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>pas encore connu</translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation>Messages depuis le démarrage&#x202f;:</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(aucun)</translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation>Le dernier plantage&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation>ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation>Le rapport est écrit&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Le rapport n’a pas pu être écrit&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
     </message>
 </context>
 <context>
@@ -9473,7 +10804,7 @@
     </message>
     <message>
         <source>Select rows to see their edges in the pattern; Enter or a double click sews them.</source>
-        <translation>Sélectionnez des lignes pour voir leurs bords dans le patron ; Entrée ou un double-clic les coud.</translation>
+        <translation>Sélectionnez des lignes pour voir leurs bords dans le patron&#x202f;; Entrée ou un double-clic les coud.</translation>
     </message>
     <message>
         <source>&amp;Sew selected</source>
@@ -9488,12 +10819,8 @@
         <translation>Recherche de bords qui vont ensemble…</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 et %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#x202f;%</translation>
     </message>
     <message>
         <source>There are no free edges that seem to belong together.</source>
@@ -9501,7 +10828,7 @@
     </message>
     <message>
         <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>D’après les longueurs, les coins qui se fermeraient, les noms et les directions ; les plus certaines d’abord. Regardez chacune dans le patron avant de la coudre.</translation>
+        <translation>D’après les longueurs, les coins qui se fermeraient, les noms et les directions&#x202f;; les plus certaines d’abord. Regardez chacune dans le patron avant de la coudre.</translation>
     </message>
     <message>
         <source>Sew &amp;likely ones</source>
@@ -9509,7 +10836,11 @@
     </message>
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
-        <translation>Celles de 50 % et plus. Ce qui est cousu indique où vont les voisines.</translation>
+        <translation>Celles de 50&#x202f;% et plus. Ce qui est cousu indique où vont les voisines.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
     </message>
 </context>
 <context>
@@ -9524,7 +10855,7 @@
     </message>
     <message>
         <source>More than 5 % ease puckers.</source>
-        <translation>Au-delà de 5 % d’embu, cela fronce.</translation>
+        <translation>Au-delà de 5&#x202f;% d’embu, cela fronce.</translation>
     </message>
     <message>
         <source>Seam</source>
@@ -9536,7 +10867,7 @@
     </message>
     <message>
         <source>Ease %</source>
-        <translation>Embu %</translation>
+        <translation>Embu&#x202f;%</translation>
     </message>
     <message>
         <source>Joins</source>
@@ -9564,7 +10895,7 @@
     </message>
     <message>
         <source>C0: an edge, C1: smooth with the texture, G1: rounded</source>
-        <translation>C0 : arête, C1 : lisse, motif compris, G1 : arrondi</translation>
+        <translation>C0&#x202f;: arête, C1&#x202f;: lisse, motif compris, G1&#x202f;: arrondi</translation>
     </message>
     <message>
         <source>Of the first side</source>
@@ -9576,7 +10907,7 @@
     </message>
     <message>
         <source>What is sewn together: equal parts of the length, or of the curve&apos;s parameter</source>
-        <translation>Ce qui est cousu ensemble : des parts égales de la longueur, ou du paramètre de la courbe</translation>
+        <translation>Ce qui est cousu ensemble&#x202f;: des parts égales de la longueur, ou du paramètre de la courbe</translation>
     </message>
     <message>
         <source>Step</source>
@@ -9584,7 +10915,7 @@
     </message>
     <message>
         <source>The place in the order of sewing; Seam &gt; Sew earlier and Sew later change it</source>
-        <translation>Le rang dans l’ordre de montage ; Couture &gt; Coudre plus tôt et Coudre plus tard le modifient</translation>
+        <translation>Le rang dans l’ordre de montage&#x202f;; Couture &gt; Coudre plus tôt et Coudre plus tard le modifient</translation>
     </message>
     <message>
         <source>How much longer the second side is than the first one</source>
@@ -9592,7 +10923,7 @@
     </message>
     <message>
         <source>The ease over the shorter side; more than 5 % puckers</source>
-        <translation>L’embu rapporté au côté le plus court ; au-delà de 5 %, cela fronce</translation>
+        <translation>L’embu rapporté au côté le plus court&#x202f;; au-delà de 5&#x202f;%, cela fronce</translation>
     </message>
 </context>
 <context>
@@ -9600,6 +10931,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>Pas encore de coutures. Choisissez l’outil de couture (W), puis cliquez sur les deux bords qui vont ensemble.</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Coutures</translation>
     </message>
 </context>
 <context>
@@ -9755,18 +11090,22 @@
     </message>
     <message>
         <source>%1 belongs to “%2”.</source>
-        <translation>%1 appartient à « %2 ».</translation>
+        <translation>%1 appartient à «&#x202f;%2&#x202f;».</translation>
     </message>
     <message>
         <source>%1 it is.</source>
         <translation>%1 est déjà pris.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
     </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
     <message>
         <source>Edge: %1</source>
-        <translation>Bord : %1</translation>
+        <translation>Bord&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -9785,7 +11124,7 @@
     </message>
     <message>
         <source>Writes the parts that are wanted into an OBJ file of the design&apos;s own; the file that was chosen stays as it is</source>
-        <translation>Écrit les parties voulues dans un fichier OBJ propre au modèle ; le fichier choisi reste tel quel</translation>
+        <translation>Écrit les parties voulues dans un fichier OBJ propre au modèle&#x202f;; le fichier choisi reste tel quel</translation>
     </message>
 </context>
 <context>
@@ -9828,7 +11167,7 @@
     </message>
     <message>
         <source>Over the limit of the fabric: %1 of %2</source>
-        <translation>Au-delà de la limite du tissu : %1 sur %2</translation>
+        <translation>Au-delà de la limite du tissu&#x202f;: %1 sur %2</translation>
     </message>
     <message>
         <source>over the limit of %1</source>
@@ -9847,11 +11186,11 @@
     </message>
     <message>
         <source>Draw the first patch, import a frame, or open a design:</source>
-        <translation>Dessinez la première pièce, importez une armature ou ouvrez un modèle :</translation>
+        <translation>Dessinez la première pièce, importez une armature ou ouvrez un modèle&#x202f;:</translation>
     </message>
     <message>
         <source>Or look at a sample:</source>
-        <translation>Ou regardez un exemple :</translation>
+        <translation>Ou regardez un exemple&#x202f;:</translation>
     </message>
     <message>
         <source>%1 more are under File &gt; Samples</source>
@@ -9859,7 +11198,7 @@
     </message>
     <message>
         <source>Go on with:</source>
-        <translation>Continuer avec :</translation>
+        <translation>Continuer avec&#x202f;:</translation>
     </message>
     <message>
         <source>Clear this list</source>
@@ -9880,6 +11219,101 @@
     <message>
         <source>&amp;Import frame …</source>
         <translation>&amp;Importer une armature…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>Page d’accueil</translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation>Bienvenue dans Bolster</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Suivre la visite guidée</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation>Retour au modèle</translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation>Qu’avez-vous&#x202f;?</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>Une armature</translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation>La housse y est fixée&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation>Un patron</translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation>Ses pièces deviennent la housse&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation>Un scan</translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation>La housse y est ajustée&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Rien encore</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation>Dessiner un rectangle, la première pièce</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuer avec</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Vider cette liste</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation>Retirer de cette liste&#x202f;; le fichier reste</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Travail non enregistré</translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation>Gardé pour plus tard, dernière modification %1</translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation>Laissé par un plantage, dernière modification %1</translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation>Commencer avec un gabarit</translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation>Regarder un exemple</translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation>Absent pour le moment</translation>
     </message>
 </context>
 <context>
@@ -9924,7 +11358,7 @@
     </message>
     <message>
         <source>Why?</source>
-        <translation>Pourquoi ?</translation>
+        <translation>Pourquoi&#x202f;?</translation>
     </message>
     <message>
         <source>Following the drag</source>
@@ -9947,13 +11381,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
-        <translation>Le tissu a bougé jusqu’à la fin du calcul. Les causes habituelles :
-• Une pièce que rien ne tient : fixez un de ses bords, ou cousez-la.
-• Une couture dont les deux côtés ont des longueurs très différentes : rapprochez-les.
-• Une pièce très longue ou très étroite : divisez-la, ou élargissez-la.
-• Une forte pression : réduisez-la dans les propriétés du modèle.
+        <translation>Le tissu a bougé jusqu’à la fin du calcul. Les causes habituelles&#x202f;:
+• Une pièce que rien ne tient&#x202f;: fixez un de ses bords, ou cousez-la.
+• Une couture dont les deux côtés ont des longueurs très différentes&#x202f;: rapprochez-les.
+• Une pièce très longue ou très étroite&#x202f;: divisez-la, ou élargissez-la.
+• Une forte pression&#x202f;: réduisez-la dans les propriétés de la pièce.
 Vous voyez le tissu tel qu’il était à la fin.</translation>
     </message>
     <message>
@@ -9962,18 +11396,182 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     </message>
     <message>
         <source>Preparing: on fewer triangles …</source>
-        <translation>Préparation : sur moins de triangles…</translation>
+        <translation>Préparation&#x202f;: sur moins de triangles…</translation>
     </message>
     <message>
         <source>Preparing: forces and equations …</source>
-        <translation>Préparation : forces et équations…</translation>
+        <translation>Préparation&#x202f;: forces et équations…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolérances</translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation>T&amp;irer des exemplaires</translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation>Calcul d’exemplaires dans les tolérances…</translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation>Des exemplaires sont tirés au hasard dans leurs tolérances&#x202f;: où la housse varie-t-elle, quelle tolérance compte, combien d’exemplaires sont hors limite&#x202f;?</translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation>Montrer &amp;sur la housse ce que 95&#x202f;% des exemplaires ne dépassent pas</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>Part de la variance</translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation>Bouge d’au plus</translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation>Tolérances par influence</translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation>Tolérances (±)&#x202f;; 0&#x202f;: aucune</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Exemplaires</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation>Toute cote comprise est aussi probable</translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation>Normale&#x202f;: la tolérance vaut trois écarts types</translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation>Avant eux, dix mille sont tirés comme si les housses étaient linéaires, ce qui prend quelques secondes</translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation>Un exemplaire est hors limite quand plus de 5&#x202f;% de sa housse s’écarte davantage de sa place</translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation>Tirés &amp;au hasard</translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation>Calcu&amp;lés</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>Limi&amp;te</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation>Rien ne varie&#x202f;: donnez une tolérance supérieure à 0 à quelque chose que le modèle possède.</translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation>Calcul de housses avec chaque tolérance…</translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation>Arrêté. Ce qui est affiché vient de housses linéaires.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Arrêté.</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation>95&#x202f;% des exemplaires restent dans %1 (RMS sur la housse), %2 au plus fort.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation>Hors limite&#x202f;: %1 des exemplaires.</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation>C’est comme si les housses étaient linéaires&#x202f;; des exemplaires sont en cours de calcul…</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation>C’est comme si les housses étaient linéaires.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation>
+            <numerusform>D’après %n exemplaire calculé.</numerusform>
+            <numerusform>D’après %n exemplaires calculés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation>
+            <numerusform>%n exemplaire n’a pas de housse stable sur les mêmes triangles.</numerusform>
+            <numerusform>%n exemplaires n’ont pas de housse stable sur les mêmes triangles.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation>Ce que 95&#x202f;% des exemplaires ne dépassent pas</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation>Le modèle a changé entre-temps&#x202f;: tirez de nouveau les exemplaires.</translation>
     </message>
 </context>
 <context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Cela n’a pas pu être fait, et rien n’a été modifié : %1</translation>
+        <translation>Cela n’a pas pu être fait, et rien n’a été modifié&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Quitter la visite</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation>Aide &gt; Visite guidée reprend ici</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation>Visite guidée, %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -9984,11 +11582,11 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     </message>
     <message>
         <source>Click to stitch this seam; stitches and piping are in the properties</source>
-        <translation>Cliquez pour surpiquer cette couture ; points et passepoil sont dans les propriétés</translation>
+        <translation>Cliquez pour surpiquer cette couture&#x202f;; points et passepoil sont dans les propriétés</translation>
     </message>
     <message>
         <source>Click to stitch this edge; stitches and piping are in the properties</source>
-        <translation>Cliquez pour surpiquer ce bord ; points et passepoil sont dans les propriétés</translation>
+        <translation>Cliquez pour surpiquer ce bord&#x202f;; points et passepoil sont dans les propriétés</translation>
     </message>
     <message>
         <source>Click a seam or an edge of an outline to stitch it – Esc ends the tool</source>
@@ -10030,7 +11628,7 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     </message>
     <message>
         <source>Click a face, an edge or a corner to look from there; drag to turn</source>
-        <translation>Cliquez sur une face, une arête ou un coin pour regarder de là ; faites glisser pour tourner</translation>
+        <translation>Cliquez sur une face, une arête ou un coin pour regarder de là&#x202f;; faites glisser pour tourner</translation>
     </message>
 </context>
 </TS>

@@ -160,6 +160,33 @@
     </message>
 </context>
 <context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Espanso più spesso o più sottile</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Espanso più duro o più morbido</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Margine di una cucitura</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Pezzo più grande o più piccolo</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fissaggio in un’altra posizione</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Cucitura sfalsata</translation>
+    </message>
+</context>
+<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -231,16 +258,16 @@
         <translation>Clic per selezionare il pezzo, trascinare per ruotare la vista</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>Clic per selezionare, trascinare per ruotare – Maiusc+pulsante centrale sposta la vista, la rotellina esegue lo zoom</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>Clic per selezionare la curva, doppio clic per aggiungere qui un punto di controllo</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>Clic per selezionare ciò che si trova qui, trascinare per ruotare la vista</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation>Clic per selezionare, trascinare per ruotare – %1 sposta la vista, %2 esegue lo zoom</translation>
     </message>
 </context>
 <context>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>Verifica prima del taglio</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Attività</translation>
     </message>
 </context>
 <context>
@@ -1118,7 +1149,7 @@
     </message>
     <message>
         <source>Checker, 20 mm</source>
-        <translation>Quadri, 20 mm</translation>
+        <translation>Quadri, 20&#xa0;mm</translation>
     </message>
     <message>
         <source>Plain</source>
@@ -1804,7 +1835,7 @@
     </message>
     <message>
         <source>10 mm</source>
-        <translation>10 mm</translation>
+        <translation>10&#xa0;mm</translation>
     </message>
     <message>
         <source>Automatic notches</source>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>Esporta corp&amp;o di espanso…</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation>Stampa vista…</translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2067,16 +2102,16 @@
         <translation>Fare clic o digitare il punto successivo, Invio termina, C chiude – B rende dritto, Backspace toglie un punto</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>Fare clic o digitare il punto successivo, Invio termina, C chiude – dritto da punto a punto, qualunque cosa vi sia in mezzo: B segue la superficie, Backspace toglie un punto</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>&amp;Chiudi la curva</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>«%1»: fino a %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>«%1»: più di %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2127,8 +2154,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>«%1»: il suo lato dista fino a %2 mm</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation>«%1»: il suo lato dista fino a %2</translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation>«%1»: fino a %2</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation>«%1»: più di %2</translation>
     </message>
 </context>
 <context>
@@ -2215,10 +2250,6 @@
     <message>
         <source>Mesh</source>
         <translation>Mesh</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>Piece %1: %2</source>
@@ -2333,10 +2364,6 @@
         <translation>Aggiungere un punto di controllo</translation>
     </message>
     <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>Spostare di 1 mm, di 10 mm</translation>
-    </message>
-    <message>
         <source>arrow keys, Shift+arrow keys</source>
         <translation>tasti freccia, Maiusc+tasti freccia</translation>
     </message>
@@ -2345,28 +2372,12 @@
         <translation>Spostare la vista</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>pulsante centrale, o Spazio e trascinare</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>wheel</source>
-        <translation>rotellina</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Ruotare</translation>
-    </message>
-    <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>pulsante centrale, o trascinare accanto al rivestimento</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Maiusc e pulsante centrale</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -2402,7 +2413,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Patches, seams</source>
@@ -2450,7 +2461,7 @@
     </message>
     <message>
         <source>%1 m², %2 m²</source>
-        <translation>%1 m², %2 m²</translation>
+        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
     </message>
     <message>
         <source>Turned triangles</source>
@@ -2490,7 +2501,7 @@
     </message>
     <message>
         <source>Strain: root mean square, 99 %, largest</source>
-        <translation>Deformazione: media quadratica, 99 %, massima</translation>
+        <translation>Deformazione: media quadratica, 99&#xa0;%, massima</translation>
     </message>
     <message>
         <source>double click on an outline or curve</source>
@@ -2602,7 +2613,7 @@
     </message>
     <message>
         <source>type it while dragging: 50, 30, 20, for sizes 300 x 200 or 120 %; Enter lets go</source>
-        <translation>digitarlo trascinando: 50 o 30, 20, per le dimensioni 300 x 200 o 120 %; Invio rilascia</translation>
+        <translation>digitarlo trascinando: 50 o 30, 20, per le dimensioni 300 x 200 o 120&#xa0;%; Invio rilascia</translation>
     </message>
     <message>
         <source>click edges; Shift+click collects several; Esc ends</source>
@@ -2611,6 +2622,18 @@
     <message>
         <source>right button, without a drag</source>
         <translation>pulsante destro, senza trascinare</translation>
+    </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation>Spostare di %1, di %2</translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation>%1, o Spazio e trascinare</translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation>%1, o trascinare accanto al rivestimento</translation>
     </message>
 </context>
 <context>
@@ -2624,8 +2647,8 @@
         <translation>Espanso</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>Questo telaio è grande: il dettaglio minimo è impostato a %1 mm; i consueti %2 mm richiederebbero troppa memoria.</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation>Questo telaio è grande: il dettaglio minimo è impostato a %1; il consueto valore di %2 richiederebbe troppa memoria.</translation>
     </message>
 </context>
 <context>
@@ -2693,6 +2716,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>Modifica il cartamodello finché il rivestimento aderisce a una scansione o è meno deformato</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation>Riduci la deformazione…</translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation>Propone modifiche del cartamodello dove il tessuto è troppo deformato, con il vantaggio di ciascuna</translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation>Perché è così?…</translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation>Quale causa spiega meglio lo scostamento della scansione di un pezzo realizzato dal rivestimento</translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation>Tolleranze…</translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation>Dove il rivestimento varia da pezzo a pezzo e quale tolleranza di confezione conta</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2830,6 +2892,25 @@
     <message>
         <source>S&amp;can</source>
         <translation>Scansi&amp;one</translation>
+    </message>
+</context>
+<context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuale</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>La pagina su ciò che si sta facendo</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>Il manuale non è installato.</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>È una cartella «manual» con gli altri file del programma.</translation>
     </message>
 </context>
 <context>
@@ -3013,7 +3094,7 @@
     </message>
     <message>
         <source>the text is larger than %1 MB; that is no design</source>
-        <translation>il testo supera %1 MB; non è un modello</translation>
+        <translation>il testo supera %1&#xa0;MB; non è un modello</translation>
     </message>
     <message>
         <source>knot %1 occurs more often than %2 times, the degree; remove the surplus ones</source>
@@ -3057,7 +3138,7 @@
     </message>
     <message>
         <source>%1: the point is not finite, or beyond 10,000,000</source>
-        <translation>%1: il punto non è finito o supera 10 000 000</translation>
+        <translation>%1: il punto non è finito o supera 10&#xa0;000&#xa0;000</translation>
     </message>
     <message>
         <source>%1: a face refers to point %2, but there are %3 points</source>
@@ -3181,7 +3262,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is too large: %2 MB, and at most %3 MB are read</source>
-        <translation>«%1» è troppo grande: %2 MB, e se ne leggono al massimo %3 MB</translation>
+        <translation>«%1» è troppo grande: %2&#xa0;MB, e se ne leggono al massimo %3&#xa0;MB</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is write-protected</source>
@@ -3201,11 +3282,11 @@
     </message>
     <message>
         <source>%1 and %2 hold the same point of the cover in two places, %3 mm apart. Let both curves meet there, or end one stretch earlier.</source>
-        <translation>%1 e %2 tengono lo stesso punto del rivestimento in due posizioni distanti %3 mm. Far incontrare lì le due curve o far finire prima un tratto.</translation>
+        <translation>%1 e %2 tengono lo stesso punto del rivestimento in due posizioni distanti %3&#xa0;mm. Far incontrare lì le due curve o far finire prima un tratto.</translation>
     </message>
     <message>
         <source>the patch is too narrow somewhere for edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>il pezzo è in qualche punto troppo stretto per lati di %1 mm. Scegliere una lunghezza dei lati minore.</translation>
+        <translation>il pezzo è in qualche punto troppo stretto per lati di %1&#xa0;mm. Scegliere una lunghezza dei lati minore.</translation>
     </message>
     <message>
         <source>The design cannot be solved: %2</source>
@@ -3221,7 +3302,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by an estimated %2 mm. Allow more iterations.</source>
-        <translation>Dopo %1 iterazioni la superficie si muove ancora di circa %2 mm. Consentire più iterazioni.</translation>
+        <translation>Dopo %1 iterazioni la superficie si muove ancora di circa %2&#xa0;mm. Consentire più iterazioni.</translation>
     </message>
     <message>
         <source>Remove %1 points</source>
@@ -3497,7 +3578,7 @@
     </message>
     <message>
         <source>an edge length of %1 mm is used instead</source>
-        <translation>si usa invece una lunghezza dei lati di %1 mm</translation>
+        <translation>si usa invece una lunghezza dei lati di %1&#xa0;mm</translation>
     </message>
     <message>
         <source>the file is not a design</source>
@@ -3541,7 +3622,7 @@
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
-        <translation>%1 mm darebbero più di 5 milioni di triangoli; usare almeno %2 mm per questi pezzi</translation>
+        <translation>%1&#xa0;mm darebbero più di 5 milioni di triangoli; usare almeno %2&#xa0;mm per questi pezzi</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
@@ -3549,7 +3630,7 @@
     </message>
     <message>
         <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
-        <translation>la mesh non può riprodurre pieghe piccole come quelle di una lunghezza di flessione di %1 mm: con lati di %2 mm equivale a %3 mm; usare lati di al massimo %4 mm o una lunghezza di flessione maggiore</translation>
+        <translation>la mesh non può riprodurre pieghe piccole come quelle di una lunghezza di flessione di %1&#xa0;mm: con lati di %2&#xa0;mm equivale a %3&#xa0;mm; usare lati di al massimo %4&#xa0;mm o una lunghezza di flessione maggiore</translation>
     </message>
     <message>
         <source>an outline must be a closed curve</source>
@@ -3597,7 +3678,7 @@
     </message>
     <message>
         <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
-        <translation>i lati della cucitura sono lunghi %1 mm («%2») e %3 mm («%4»): lentezza %5 %, oltre il 5 % arriccia; renderli uguali o controllare le estremità dei tratti</translation>
+        <translation>i lati della cucitura sono lunghi %1&#xa0;mm («%2») e %3&#xa0;mm («%4»): lentezza %5&#xa0;%, oltre il 5&#xa0;% arriccia; renderli uguali o controllare le estremità dei tratti</translation>
     </message>
     <message>
         <source>the curve has no length; move its points apart</source>
@@ -3633,11 +3714,11 @@
     </message>
     <message>
         <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
-        <translation>è %1, ma deve essere una lunghezza positiva di al massimo %2; 12 mm è il valore consueto</translation>
+        <translation>è %1, ma deve essere una lunghezza positiva di al massimo %2; 12&#xa0;mm è il valore consueto</translation>
     </message>
     <message>
         <source>no mesh can resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take a longer bending length</source>
-        <translation>nessuna mesh può riprodurre pieghe piccole come quelle di una lunghezza di flessione di %1 mm: con lati di %2 mm equivale a %3 mm; usare una lunghezza di flessione maggiore</translation>
+        <translation>nessuna mesh può riprodurre pieghe piccole come quelle di una lunghezza di flessione di %1&#xa0;mm: con lati di %2&#xa0;mm equivale a %3&#xa0;mm; usare una lunghezza di flessione maggiore</translation>
     </message>
     <message>
         <source>it sews what %1 sews already; remove one of them</source>
@@ -3661,7 +3742,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
-        <translation>Dopo %1 iterazioni la superficie si muove ancora di %2 mm in ognuna: non va a riposo. Ridurre la pressione o fare le curve lunghe quanto i contorni che tengono.</translation>
+        <translation>Dopo %1 iterazioni la superficie si muove ancora di %2&#xa0;mm in ognuna: non va a riposo. Ridurre la pressione o fare le curve lunghe quanto i contorni che tengono.</translation>
     </message>
     <message>
         <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
@@ -3717,7 +3798,7 @@
     </message>
     <message>
         <source>a width of %1 mm is too narrow for edges of %2 mm; make it at least %3 mm wide, or choose a smaller edge length</source>
-        <translation>una larghezza di %1 mm è troppo stretta per lati di %2 mm; farla di almeno %3 mm o scegliere una lunghezza dei lati minore</translation>
+        <translation>una larghezza di %1&#xa0;mm è troppo stretta per lati di %2&#xa0;mm; farla di almeno %3&#xa0;mm o scegliere una lunghezza dei lati minore</translation>
     </message>
     <message>
         <source>it lies outside its patch; move its points inside the outline</source>
@@ -3733,7 +3814,7 @@
     </message>
     <message>
         <source>it bends too sharply for a width of %1 mm near %2; make it narrower, or bend it less there</source>
-        <translation>curva troppo stretta per una larghezza di %1 mm presso %2; farla meno larga o curvarla meno in quel punto</translation>
+        <translation>curva troppo stretta per una larghezza di %1&#xa0;mm presso %2; farla meno larga o curvarla meno in quel punto</translation>
     </message>
     <message>
         <source>a cushion takes at most %1 bodies of foam; this one is left out</source>
@@ -3745,7 +3826,7 @@
     </message>
     <message>
         <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
-        <translation>è lunga solo %1 mm; disegnarla di almeno %2 mm o scegliere una lunghezza dei lati minore</translation>
+        <translation>è lunga solo %1&#xa0;mm; disegnarla di almeno %2&#xa0;mm o scegliere una lunghezza dei lati minore</translation>
     </message>
     <message>
         <source>it reaches beyond its patch near %1; move its points inside the outline</source>
@@ -3753,19 +3834,19 @@
     </message>
     <message>
         <source>it comes closer than %1 mm to the outline near %2; keep away from it, or choose a smaller edge length</source>
-        <translation>si avvicina a meno di %1 mm dal contorno presso %2; starne lontano o scegliere una lunghezza dei lati minore</translation>
+        <translation>si avvicina a meno di %1&#xa0;mm dal contorno presso %2; starne lontano o scegliere una lunghezza dei lati minore</translation>
     </message>
     <message>
         <source>it crosses %1, or comes closer to it than %2 mm, near %3; move them apart, or choose a smaller edge length</source>
-        <translation>incrocia %1, o vi si avvicina a meno di %2 mm, presso %3; allontanarle o scegliere una lunghezza dei lati minore</translation>
+        <translation>incrocia %1, o vi si avvicina a meno di %2&#xa0;mm, presso %3; allontanarle o scegliere una lunghezza dei lati minore</translation>
     </message>
     <message>
         <source>it crosses itself, or comes closer to itself than %1 mm, near %2; move its points apart, or choose a smaller edge length</source>
-        <translation>incrocia sé stessa, o si avvicina a sé stessa a meno di %1 mm, presso %2; allontanare i suoi punti o scegliere una lunghezza dei lati minore</translation>
+        <translation>incrocia sé stessa, o si avvicina a sé stessa a meno di %1&#xa0;mm, presso %2; allontanare i suoi punti o scegliere una lunghezza dei lati minore</translation>
     </message>
     <message>
         <source>the patch cannot be triangulated along it with edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>il pezzo non può essere triangolato lungo di essa con lati di %1 mm. Scegliere una lunghezza dei lati minore.</translation>
+        <translation>il pezzo non può essere triangolato lungo di essa con lati di %1&#xa0;mm. Scegliere una lunghezza dei lati minore.</translation>
     </message>
     <message>
         <source>Change the frame of %1</source>
@@ -3889,7 +3970,7 @@
     </message>
     <message>
         <source>with this scale and position the points reach beyond 10,000,000 mm</source>
-        <translation>con questa scala e posizione i punti superano 10 000 000 mm</translation>
+        <translation>con questa scala e posizione i punti superano 10&#xa0;000&#xa0;000&#xa0;mm</translation>
     </message>
     <message>
         <source>Add scan %1</source>
@@ -4069,7 +4150,7 @@
     </message>
     <message>
         <source>They are no mirror images: they differ by %1 mm. Twins must be alike; make a mirror twin of one of them instead.</source>
-        <translation>Non sono speculari: differiscono di %1 mm. I gemelli devono essere uguali; creare invece un gemello speculare di uno dei due.</translation>
+        <translation>Non sono speculari: differiscono di %1&#xa0;mm. I gemelli devono essere uguali; creare invece un gemello speculare di uno dei due.</translation>
     </message>
     <message>
         <source>Make a mirror twin of %1</source>
@@ -4097,7 +4178,7 @@
     </message>
     <message>
         <source>The sides of the seam differ by %1 % in length, more than 5 %.</source>
-        <translation>I lati della cucitura differiscono in lunghezza del %1 %, più del 5 %.</translation>
+        <translation>I lati della cucitura differiscono in lunghezza del %1&#xa0;%, più del 5&#xa0;%.</translation>
     </message>
     <message>
         <source>Select the seam along which to merge.</source>
@@ -4629,7 +4710,7 @@
     </message>
     <message>
         <source>this changes more at once than can be stored: at most %1 MB, and %2 keys; do it in parts</source>
-        <translation>ciò cambia in una volta più di quanto si possa salvare: al massimo %1 MB e %2 chiavi; procedere a parti</translation>
+        <translation>ciò cambia in una volta più di quanto si possa salvare: al massimo %1&#xa0;MB e %2 chiavi; procedere a parti</translation>
     </message>
     <message>
         <source>&quot;%1&quot; unpacks to more than any project; it was not made by Bolster, or is damaged</source>
@@ -4665,23 +4746,23 @@
     </message>
     <message>
         <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
-        <translation>il contatto esamina il telaio a passi di %1 mm; qualcosa in queste parti è più sottile e il rivestimento può attraversarlo: %2; farlo più spesso</translation>
+        <translation>il contatto esamina il telaio a passi di %1&#xa0;mm; qualcosa in queste parti è più sottile e il rivestimento può attraversarlo: %2; farlo più spesso</translation>
     </message>
     <message>
         <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
-        <translation>il contatto non agisce: a passi di %1 mm non trova un interno del telaio, che è più sottile o così aperto da non averne; chiudere il telaio o farlo più spesso</translation>
+        <translation>il contatto non agisce: a passi di %1&#xa0;mm non trova un interno del telaio, che è più sottile o così aperto da non averne; chiudere il telaio o farlo più spesso</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 si allunga del %2 % in drittofilo, il suo tessuto tollera il %3 %</translation>
+        <translation>%1 si allunga del %2&#xa0;% in drittofilo, il suo tessuto tollera il %3&#xa0;%</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 si allunga del %2 % in traverso, il suo tessuto tollera il %3 %</translation>
+        <translation>%1 si allunga del %2&#xa0;% in traverso, il suo tessuto tollera il %3&#xa0;%</translation>
     </message>
     <message>
         <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 ha uno scorrimento del %2 %, il suo tessuto tollera il %3 %</translation>
+        <translation>%1 ha uno scorrimento del %2&#xa0;%, il suo tessuto tollera il %3&#xa0;%</translation>
     </message>
     <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
@@ -4693,11 +4774,11 @@
     </message>
     <message>
         <source>%1 holds the cloth %2 mm off the frame</source>
-        <translation>%1 tiene il tessuto a %2 mm dal telaio</translation>
+        <translation>%1 tiene il tessuto a %2&#xa0;mm dal telaio</translation>
     </message>
     <message>
         <source>The seam of %1 and %2 has %3 % ease: it puckers above %4 %</source>
-        <translation>La cucitura di %1 e %2 ha il %3 % di lentezza: oltre il %4 % arriccia</translation>
+        <translation>La cucitura di %1 e %2 ha il %3&#xa0;% di lentezza: oltre il %4&#xa0;% arriccia</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations.</source>
@@ -4705,7 +4786,7 @@
     </message>
     <message>
         <source>The surface ran away after %1 iterations: %2 holds it %3 mm from everything else. Bring that curve nearer.</source>
-        <translation>La superficie è divergente dopo %1 iterazioni: %2 la tiene a %3 mm da tutto il resto. Avvicinare quella curva.</translation>
+        <translation>La superficie è divergente dopo %1 iterazioni: %2 la tiene a %3&#xa0;mm da tutto il resto. Avvicinare quella curva.</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: %1 is degenerate or its numbers are too large. Check its outline and its fabric.</source>
@@ -4809,15 +4890,15 @@
     </message>
     <message>
         <source>a smallest detail of %1 mm is too fine for a frame as large as this (%2 million cubes of it, and %3 are the limit), so the cushion is left out; take at least %4 mm</source>
-        <translation>un dettaglio minimo di %1 mm è troppo fine per un telaio così grande (%2 milioni di cubi, il limite è %3), perciò l’imbottitura viene omessa; usare almeno %4 mm</translation>
+        <translation>un dettaglio minimo di %1&#xa0;mm è troppo fine per un telaio così grande (%2 milioni di cubi, il limite è %3), perciò l’imbottitura viene omessa; usare almeno %4&#xa0;mm</translation>
     </message>
     <message>
         <source>something of these parts of the frame is thinner than the smallest detail of the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail</source>
-        <translation>qualcosa in queste parti del telaio è più sottile del dettaglio minimo dell’imbottitura, %1 mm, e vi possono essere lacune: %2; usare un dettaglio minore</translation>
+        <translation>qualcosa in queste parti del telaio è più sottile del dettaglio minimo dell’imbottitura, %1&#xa0;mm, e vi possono essere lacune: %2; usare un dettaglio minore</translation>
     </message>
     <message>
         <source>it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is thinner than that, or so open that it has none; take a smaller detail, or close the frame</source>
-        <translation>non preme nulla: con un dettaglio minimo di %1 mm il telaio non ha un interno, è più sottile o così aperto da non averne; usare un dettaglio minore o chiudere il telaio</translation>
+        <translation>non preme nulla: con un dettaglio minimo di %1&#xa0;mm il telaio non ha un interno, è più sottile o così aperto da non averne; usare un dettaglio minore o chiudere il telaio</translation>
     </message>
     <message>
         <source>Change the slanted faces of %1</source>
@@ -4845,7 +4926,7 @@
     </message>
     <message>
         <source>a notch of %1 mm reaches the sewing line, which is %2 mm away: make it shallower, or the allowance wider</source>
-        <translation>una tacca di %1 mm arriva alla linea di cucitura, distante %2 mm: farla meno profonda o allargare il margine</translation>
+        <translation>una tacca di %1&#xa0;mm arriva alla linea di cucitura, distante %2&#xa0;mm: farla meno profonda o allargare il margine</translation>
     </message>
     <message>
         <source>nothing is sewn where it is, so it has no partner</source>
@@ -4857,7 +4938,7 @@
     </message>
     <message>
         <source>it is %1 mm wide across the grain, but &quot;%2&quot; only %3 mm: split it, or turn its grain</source>
-        <translation>in traverso è largo %1 mm, ma «%2» solo %3 mm: dividerlo o ruotarne il drittofilo</translation>
+        <translation>in traverso è largo %1&#xa0;mm, ma «%2» solo %3&#xa0;mm: dividerlo o ruotarne il drittofilo</translation>
     </message>
     <message>
         <source>an inner corner of %1 degrees is too sharp for its seam allowances: make them smaller there, or the corner wider</source>
@@ -4981,19 +5062,19 @@
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>i suoi lati sono lunghi %1 mm e %2 mm: pareggiarli o indicare nelle proprietà la lentezza voluta</translation>
+        <translation>i suoi lati sono lunghi %1&#xa0;mm e %2&#xa0;mm: pareggiarli o indicare nelle proprietà la lentezza voluta</translation>
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
-        <translation>i suoi lati sono lunghi %1 mm e %2 mm, ma il secondo deve essere più lungo di %3 mm: pareggiarli o modificare la lentezza nelle proprietà</translation>
+        <translation>i suoi lati sono lunghi %1&#xa0;mm e %2&#xa0;mm, ma il secondo deve essere più lungo di %3&#xa0;mm: pareggiarli o modificare la lentezza nelle proprietà</translation>
     </message>
     <message>
         <source>The mouth of a dart must be at least 1 mm wide.</source>
-        <translation>L’apertura di una pince deve essere larga almeno 1 mm.</translation>
+        <translation>L’apertura di una pince deve essere larga almeno 1&#xa0;mm.</translation>
     </message>
     <message>
         <source>The tip of a dart must lie inside its patch, at least 5 mm from its mouth.</source>
-        <translation>La punta di una pince deve essere dentro il suo pezzo, ad almeno 5 mm dall’apertura.</translation>
+        <translation>La punta di una pince deve essere dentro il suo pezzo, ad almeno 5&#xa0;mm dall’apertura.</translation>
     </message>
     <message>
         <source>The legs of the dart would cross the outline of %1: put its tip elsewhere.</source>
@@ -5037,7 +5118,7 @@
     </message>
     <message>
         <source>%1: the file is larger than a pattern can be (%2 MB)</source>
-        <translation>%1: il file è più grande di quanto un cartamodello possa essere (%2 MB)</translation>
+        <translation>%1: il file è più grande di quanto un cartamodello possa essere (%2&#xa0;MB)</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a group code of DXF</source>
@@ -5081,7 +5162,7 @@
     </message>
     <message>
         <source>A dart is rotated to a place at least 5 mm from its mouth.</source>
-        <translation>Una pince si ruota in un punto ad almeno 5 mm dalla sua apertura.</translation>
+        <translation>Una pince si ruota in un punto ad almeno 5&#xa0;mm dalla sua apertura.</translation>
     </message>
     <message>
         <source>The line from the tip of the dart to there would leave %1.</source>
@@ -5129,7 +5210,7 @@
     </message>
     <message>
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
-        <translation>i suoi lati hanno margini di %1 mm e %2 mm: renderli uguali o tenerne conto nell’accostarli</translation>
+        <translation>i suoi lati hanno margini di %1&#xa0;mm e %2&#xa0;mm: renderli uguali o tenerne conto nell’accostarli</translation>
     </message>
     <message>
         <source>This edge of %1 is not as long as that.</source>
@@ -5137,11 +5218,11 @@
     </message>
     <message>
         <source>the pattern is so large that the edge length of its triangles becomes %1 mm; is the unit right?</source>
-        <translation>il cartamodello è così grande che i lati dei suoi triangoli diventano di %1 mm; l’unità è giusta?</translation>
+        <translation>il cartamodello è così grande che i lati dei suoi triangoli diventano di %1&#xa0;mm; l’unità è giusta?</translation>
     </message>
     <message>
         <source>%1 is left out: it is %2 m large, the most is %3 m; is the unit right?</source>
-        <translation>%1 viene omesso: misura %2 m, il massimo è %3 m; l’unità è giusta?</translation>
+        <translation>%1 viene omesso: misura %2&#xa0;m, il massimo è %3&#xa0;m; l’unità è giusta?</translation>
     </message>
     <message>
         <source>%1 is left out: its outline has fewer than three points</source>
@@ -5153,7 +5234,7 @@
     </message>
     <message>
         <source>%1: its outline has more than %2 points and is simplified, by %3 mm at most</source>
-        <translation>%1: il suo contorno ha più di %2 punti e viene semplificato, al massimo di %3 mm</translation>
+        <translation>%1: il suo contorno ha più di %2 punti e viene semplificato, al massimo di %3&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: its quantity &quot;%2&quot; is no number of pieces; it is cut once until somebody says how often</source>
@@ -5165,7 +5246,7 @@
     </message>
     <message>
         <source>%1: %2 drill holes are narrower than %3 mm or wider than %4 mm and become as wide as possible</source>
-        <translation>%1: %2 fori sono più stretti di %3 mm o più larghi di %4 mm e diventano larghi quanto possibile</translation>
+        <translation>%1: %2 fori sono più stretti di %3&#xa0;mm o più larghi di %4&#xa0;mm e diventano larghi quanto possibile</translation>
     </message>
     <message>
         <source>%1 is left out: it would be a patch with mistakes</source>
@@ -5221,7 +5302,7 @@
     </message>
     <message>
         <source>the cover is %1 mm thick and has %2 cm³</source>
-        <translation>il rivestimento è spesso %1 mm e ha %2 cm³</translation>
+        <translation>il rivestimento è spesso %1&#xa0;mm e ha %2&#xa0;cm³</translation>
     </message>
     <message>
         <source>there is no room for foam between the frame and the cover</source>
@@ -5229,7 +5310,7 @@
     </message>
     <message>
         <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
-        <translation>l’espanso ha %1 l e pesa %2 kg a %3 kg/m³</translation>
+        <translation>l’espanso ha %1&#xa0;l e pesa %2&#xa0;kg a %3&#xa0;kg/m³</translation>
     </message>
     <message>
         <source>there are neither fixation curves nor seams</source>
@@ -5385,7 +5466,7 @@
     </message>
     <message>
         <source>%1: the part &quot;%2&quot; reaches beyond 10,000,000; export it without that part, or near the origin</source>
-        <translation>%1: la parte «%2» supera 10 000 000; esportarlo senza quella parte o vicino all’origine</translation>
+        <translation>%1: la parte «%2» supera 10&#xa0;000&#xa0;000; esportarlo senza quella parte o vicino all’origine</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs the file &quot;%2&quot; in its own folder; copy it there, or export as GLB, which is one file</source>
@@ -5469,7 +5550,7 @@
     </message>
     <message>
         <source>99 % of its surface is within %1 mm</source>
-        <translation>il 99 % della sua superficie è entro %1 mm</translation>
+        <translation>il 99&#xa0;% della sua superficie è entro %1&#xa0;mm</translation>
     </message>
     <message>
         <source>it reaches beyond its piece: end it at the edge</source>
@@ -5481,7 +5562,7 @@
     </message>
     <message>
         <source>only %1 mm are left of the piece at the tip of a dart: make it shorter</source>
-        <translation>alla punta di una pince restano solo %1 mm del pezzo: accorciarla</translation>
+        <translation>alla punta di una pince restano solo %1&#xa0;mm del pezzo: accorciarla</translation>
     </message>
     <message>
         <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
@@ -5493,7 +5574,7 @@
     </message>
     <message>
         <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
-        <translation>%1: la sua linea di taglio è %2 mm fuori dalla linea di cucitura, più di quanto ammesso per un margine; lì diventa %3 mm</translation>
+        <translation>%1: la sua linea di taglio è %2&#xa0;mm fuori dalla linea di cucitura, più di quanto ammesso per un margine; lì diventa %3&#xa0;mm</translation>
     </message>
     <message>
         <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
@@ -5501,7 +5582,7 @@
     </message>
     <message>
         <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Posiziona sul rivestimento, %2 mm rms: %1 (%3 % dei suoi punti abbinati)</translation>
+        <translation>Posiziona sul rivestimento, %2&#xa0;mm rms: %1 (%3&#xa0;% dei suoi punti abbinati)</translation>
     </message>
     <message>
         <source>The scan could not be placed: it is too far from the cover. Align it by three places, or cut away what does not belong to it.</source>
@@ -5509,7 +5590,7 @@
     </message>
     <message>
         <source>Align to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Allinea, %2 mm rms: %1 (%3 % dei suoi punti abbinati)</translation>
+        <translation>Allinea, %2&#xa0;mm rms: %1 (%3&#xa0;% dei suoi punti abbinati)</translation>
     </message>
     <message>
         <source>Import the pattern of %1</source>
@@ -5517,11 +5598,11 @@
     </message>
     <message>
         <source>%1: a gap of %2 mm in its outline is closed by a straight line</source>
-        <translation>%1: un’interruzione di %2 mm nel contorno viene chiusa con una retta</translation>
+        <translation>%1: un’interruzione di %2&#xa0;mm nel contorno viene chiusa con una retta</translation>
     </message>
     <message>
         <source>%1: its cut line is drawn anew from its allowances, and differs from that of the file by up to %2 mm</source>
-        <translation>%1: la sua linea di taglio è ridisegnata dai margini e differisce da quella del file fino a %2 mm</translation>
+        <translation>%1: la sua linea di taglio è ridisegnata dai margini e differisce da quella del file fino a %2&#xa0;mm</translation>
     </message>
     <message>
         <source>the size &quot;%1&quot; of the page is in no unit that is known and is left out: check the size of the pieces</source>
@@ -5537,11 +5618,11 @@
     </message>
     <message>
         <source>one piece of less than 1 cm³ is left out</source>
-        <translation>un pezzo inferiore a 1 cm³ viene omesso</translation>
+        <translation>un pezzo inferiore a 1&#xa0;cm³ viene omesso</translation>
     </message>
     <message>
         <source>%1 pieces of less than 1 cm³ are left out</source>
-        <translation>%1 pezzi inferiori a 1 cm³ vengono omessi</translation>
+        <translation>%1 pezzi inferiori a 1&#xa0;cm³ vengono omessi</translation>
     </message>
     <message>
         <source>Change whether the cover fits %1</source>
@@ -5601,15 +5682,15 @@
     </message>
     <message>
         <source>The form has %1 triangles; %2 stand for it, which are up to %3 mm off</source>
-        <translation>La forma ha %1 triangoli; la rappresentano %2, con scarto fino a %3 mm</translation>
+        <translation>La forma ha %1 triangoli; la rappresentano %2, con scarto fino a %3&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 dista %2 mm dalla forma: lì non si taglia</translation>
+        <translation>%1 dista %2&#xa0;mm dalla forma: lì non si taglia</translation>
     </message>
     <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
-        <translation>%1 finisce dentro un pezzo, in %2: lì si incide come per una pince. La linea o il bordo più vicino dista %3 mm; prolungarla fin lì per dividere il pezzo</translation>
+        <translation>%1 finisce dentro un pezzo, in %2: lì si incide come per una pince. La linea o il bordo più vicino dista %3&#xa0;mm; prolungarla fin lì per dividere il pezzo</translation>
     </message>
     <message>
         <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
@@ -5641,39 +5722,39 @@
     </message>
     <message>
         <source>Make %1 longer by %3 mm where it is sewn to %2</source>
-        <translation>Allunga %1 di %3 mm dove è cucito a %2</translation>
+        <translation>Allunga %1 di %3&#xa0;mm dove è cucito a %2</translation>
     </message>
     <message>
         <source>Make %1 shorter by %3 mm where it is sewn to %2</source>
-        <translation>Accorcia %1 di %3 mm dove è cucito a %2</translation>
+        <translation>Accorcia %1 di %3&#xa0;mm dove è cucito a %2</translation>
     </message>
     <message>
         <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Allarga %1 in %2 di %3 mm</translation>
+        <translation>Allarga %1 in %2 di %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Stringi %1 in %2 di %3 mm</translation>
+        <translation>Stringi %1 in %2 di %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
-        <translation>Sposta la cucitura di %1 e %2 di %3 mm dentro %2</translation>
+        <translation>Sposta la cucitura di %1 e %2 di %3&#xa0;mm dentro %2</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %1</source>
-        <translation>Sposta la cucitura di %1 e %2 di %3 mm dentro %1</translation>
+        <translation>Sposta la cucitura di %1 e %2 di %3&#xa0;mm dentro %1</translation>
     </message>
     <message>
         <source>Let out the corner of %1 at %2 by %3 mm</source>
-        <translation>Allarga l’angolo di %1 in %2 di %3 mm</translation>
+        <translation>Allarga l’angolo di %1 in %2 di %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in the corner of %1 at %2 by %3 mm</source>
-        <translation>Stringi l’angolo di %1 in %2 di %3 mm</translation>
+        <translation>Stringi l’angolo di %1 in %2 di %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Cut a dart into %1 at %2, %3 mm wide and %4 mm deep</source>
-        <translation>Taglia una pince in %1 in %2, larga %3 mm e profonda %4 mm</translation>
+        <translation>Taglia una pince in %1 in %2, larga %3&#xa0;mm e profonda %4&#xa0;mm</translation>
     </message>
     <message>
         <source>Make the seam of %1 and %2 smooth</source>
@@ -5690,6 +5771,81 @@
     <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 non ha lunghezza: lì non si taglia</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation>non è un file di preferenze: si interrompe o contiene un errore al carattere %1; sceglierne uno esportato da Bolster</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation>non è un file di preferenze; sceglierne uno esportato da Bolster</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation>«%1» non può avere il valore indicato; rimuovere quella riga dal file o esportarlo di nuovo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation>«%1», dove un Bolster portatile conserva impostazioni e lavoro, non può essere scritto; copiare la cartella di Bolster dove è consentito scrivere</translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maiusc</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>pulsante centrale</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>pulsante destro</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>trascinare</translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation>due dita</translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation>pizzico o Ctrl+rotellina</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>rotellina</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation>CAD (come SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Touchpad</translation>
     </message>
 </context>
 <context>
@@ -5877,11 +6033,11 @@
     </message>
     <message>
         <source>Print at 100 %</source>
-        <translation>Stampare al 100 %</translation>
+        <translation>Stampare al 100&#xa0;%</translation>
     </message>
     <message>
         <source>%1 – print at 100 %</source>
-        <translation>%1 – stampare al 100 %</translation>
+        <translation>%1 – stampare al 100&#xa0;%</translation>
     </message>
     <message>
         <source>Overview of %1 x %2 sheets</source>
@@ -5897,7 +6053,7 @@
     </message>
     <message>
         <source>100 mm: to measure, no part of the pattern</source>
-        <translation>100 mm: per verifica, non è parte del cartamodello</translation>
+        <translation>100&#xa0;mm: per verifica, non è parte del cartamodello</translation>
     </message>
     <message>
         <source>Sheet %1 (row %2 of %3, column %4 of %5)</source>
@@ -5921,10 +6077,6 @@
     <message>
         <source>Click to select the patch, drag to move it in the layout</source>
         <translation>Clic per selezionare il pezzo, trascinare per spostarlo nel layout</translation>
-    </message>
-    <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>Clic per selezionare, trascinare un riquadro per selezionare più elementi – pulsante centrale o Spazio sposta la vista, la rotellina esegue lo zoom</translation>
     </message>
     <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
@@ -5965,6 +6117,10 @@
     <message>
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>Trascinare l’etichetta dove si può leggere, clic per selezionare il pezzo</translation>
+    </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation>Clic per selezionare, trascinare un riquadro per selezionare più elementi – %1 o Spazio sposta la vista, %2 esegue lo zoom</translation>
     </message>
 </context>
 <context>
@@ -6014,7 +6170,7 @@
     </message>
     <message>
         <source>Enter makes it this size: 300 x 200, 300 (wide, in proportion), or 120 %</source>
-        <translation>Invio dà queste dimensioni: 300 x 200, 300 (larghezza, in proporzione) o 120 %</translation>
+        <translation>Invio dà queste dimensioni: 300 x 200, 300 (larghezza, in proporzione) o 120&#xa0;%</translation>
     </message>
     <message>
         <source>Scaled to %1 × %2 – or type the size; Shift keeps the proportions, Esc takes it back</source>
@@ -6050,10 +6206,6 @@
         <translation>Ruotato di %1° – Ctrl aggancia a 15°, Esc annulla</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>Spostato di x %1, y %2, z %3 mm – Ctrl aggancia a 10 mm, Esc annulla</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>Trascinare per spostare lungo questo asse</translation>
     </message>
@@ -6064,6 +6216,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>Trascinare per spostare parallelamente all’immagine</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation>Spostato di x %1, y %2, z %3 – Ctrl aggancia a %4, Esc annulla</translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation>Pre&amp;ferenze…</translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation>Unità, lingua, tema, mouse, tasti e altro</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation>Millimetri (314&#xa0;mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation>Centimetri (31,4&#xa0;cm)</translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation>Pollici (12 3/8″)</translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation>Fino a 1/8</translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation>Fino a 1/16</translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation>Fino a 1/32</translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation>Fino a 1/64</translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation>Decimali (12,375)</translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation>Della lingua</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>Virgola (1,5)</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>Punto (1.5)</translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation>Del sistema</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Come il sistema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Chiaro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Scuro</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Alto contrasto</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Completa</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Ridotta</translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation>Tinta unita, predefinito</translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation>Unità e numeri</translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation>Lingua e aspetto</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mouse</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Tastiera</translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation>Vista cartamodello</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vista 3D</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Lavoro non salvato</translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation>Nuovi modelli</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Lunghezze in</translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation>unità misura metrico imperiale millimetri centimetri pollici mm cm lunghezza</translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>Come sono mostrate le lunghezze. In ogni caso si possono digitare anche altre unità: «3&#xa0;in», «2,5&#xa0;cm», «1&apos; 2 3/8&quot;». I modelli restano in millimetri, come i fogli stampati e i file.</translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation>Frazioni di pollice</translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation>frazione imperiale 1/16 decimali pollice</translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation>È mostrata la frazione più vicina, senza arrotondare nulla; ciò che è troppo corto per essa ha decimali.</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Separatore decimale</translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation>virgola punto separatore decimali numeri segno</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Lingua</translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation>traduzione parole inglese tedesco italiano english idioma</translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation>Vale dal prossimo avvio di Bolster.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation>colori scuro chiaro contrasto notte aspetto accessibilità</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation>Dimensione dei caratteri</translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation>carattere font testo grande piccolo zoom scala accessibilità</translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation>Muovere le viste come in</translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation>navigazione ruotare girare spostare zoom pulsanti trackpad orbita preimpostazione</translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation>Zoom in senso inverso</translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation>invertire inverti rotellina scorrimento contrario direzione</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>Tasti come in</translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation>scorciatoie tasti rapidi tastiera preimpostazione</translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation>Alcuni comandi ricevono i tasti già noti da quei programmi. I tasti scelti personalmente restano.</translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation>Aggancio a punti, lati, guide e griglia</translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation>magnete calamita agganciare allineare snap</translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation>Ctrl o Alt lo esclude durante il trascinamento.</translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation>Mostra righelli</translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation>scala misura righello</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Mostra guide</translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation>linee aiuto guida</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>Qualità dell’immagine</translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation>prestazioni lento veloce desktop remoto grafica opengl</translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation>Ridotta: meno pixel e triangoli, niente ombre morbide. Per computer lenti e schermi remoti. Le immagini esportate restano di qualità piena.</translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation>Cambio di vista immediato, senza animazione</translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation>movimento ridotto animazione telecamera accessibilità remoto</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> giorni</translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation>Conserva il lavoro scartato per</translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation>salvataggio automatico backup recupero arresto crash journal cestino non salvato elimina</translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation>Ogni passo è sul disco appena è fatto, perciò non c’è un intervallo da impostare. Il lavoro non salvato resta finché non viene riaperto o scartato; poi sta nel cestino per almeno 30 giorni.</translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation>Tessuto dei nuovi pezzi</translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation>predefinito materiale pelle tela trama colore</translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation>Un nuovo modello inizia con questo, e i pezzi sono del primo tessuto del modello.</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Margine di cucitura</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation>predefinito taglio margine orlo larghezza</translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation>I nuovi modelli iniziano con questo; in un modello si modifica nelle sue proprietà.</translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation>Cartella dei tessuti</translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation>raccolta libreria cartella percorso importa esporta immagine campione</translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation>Dove si cercano per primi i tessuti e le loro immagini. Se manca, è la cartella del modello.</translation>
     </message>
 </context>
 <context>
@@ -6262,7 +6732,7 @@
     </message>
     <message>
         <source>Median, 95 %</source>
-        <translation>Mediana, 95 %</translation>
+        <translation>Mediana, 95&#xa0;%</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -6314,7 +6784,7 @@
     </message>
     <message>
         <source>Half of what is measured, and 95 % of it, is no farther from the scan than that.</source>
-        <translation>La metà di ciò che è misurato, e il 95 %, non è più lontano di così dalla scansione.</translation>
+        <translation>La metà di ciò che è misurato, e il 95&#xa0;%, non è più lontano di così dalla scansione.</translation>
     </message>
     <message>
         <source>How much of the cover has points of the scan near it.</source>
@@ -6416,7 +6886,7 @@
     </message>
     <message>
         <source>%1, %2 m² in all</source>
-        <translation>%1, %2 m² in tutto</translation>
+        <translation>%1, %2&#xa0;m² in tutto</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -6424,7 +6894,7 @@
     </message>
     <message>
         <source>%1, %2 m in all</source>
-        <translation>%1, %2 m in tutto</translation>
+        <translation>%1, %2&#xa0;m in tutto</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -6545,11 +7015,11 @@
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1 × %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 m²</source>
-        <translation>%1 m²</translation>
+        <translation>%1&#xa0;m²</translation>
     </message>
     <message>
         <source>Piece</source>
@@ -6577,11 +7047,11 @@
     </message>
     <message>
         <source>%1 mm long, %2 mm from the seam</source>
-        <translation>punti di %1 mm, a %2 mm dalla cucitura</translation>
+        <translation>punti di %1&#xa0;mm, a %2&#xa0;mm dalla cucitura</translation>
     </message>
     <message>
         <source>piping, %1 mm thick</source>
-        <translation>bordino, spessore %1 mm</translation>
+        <translation>bordino, spessore %1&#xa0;mm</translation>
     </message>
     <message>
         <source>plain</source>
@@ -6621,7 +7091,7 @@
     </message>
     <message>
         <source>%1 m², without what lies between the pieces</source>
-        <translation>%1 m², esclusi gli spazi tra i pezzi</translation>
+        <translation>%1&#xa0;m², esclusi gli spazi tra i pezzi</translation>
     </message>
     <message>
         <source>Sewing thread</source>
@@ -6629,11 +7099,11 @@
     </message>
     <message>
         <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
-        <translation>Filo per impunture &lt;span style=&quot;background-color:%1&quot;&gt;    &lt;/span&gt; %1</translation>
+        <translation>Filo per impunture &lt;span style=&quot;background-color:%1&quot;&gt;&#xa0;&#xa0;&#xa0;&#xa0;&lt;/span&gt; %1</translation>
     </message>
     <message>
         <source>%1 m, at %2 m for each metre of a row</source>
-        <translation>%1 m, con %2 m per ogni metro di fila</translation>
+        <translation>%1&#xa0;m, con %2&#xa0;m per ogni metro di fila</translation>
     </message>
     <message>
         <source>Piping</source>
@@ -6641,7 +7111,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>What</source>
@@ -6724,6 +7194,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>Pagina ini&amp;ziale</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nuova &amp;finestra</translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation>Impossibile aprire un’altra finestra.</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation>Il sistema non ha riavviato il programma. Chiudere alcuni programmi e riprovare.</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation>Segna&amp;la un problema…</translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation>&amp;Novità</translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation>Questo è Bolster %1. Le novità sono in Aiuto &gt; Novità.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation>Il telaio è nella vista 3D. Disegnarvi le curve a cui è fissato il tessuto, o il primo pezzo.</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation>Disegna curva di &amp;fissaggio</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation>Disegna &amp;rettangolo</translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation>Cartamodello di una forma…</translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6755,6 +7276,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>&amp;Dati…</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Taglio</translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation>Ogni pezzo è tagliato di tanto più grande o più piccolo tutt’intorno</translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation>Taglio di %1</translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation>C&amp;uciture</translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation>Ogni cucitura è cucita di tanto più all’interno o all’esterno, su entrambi i lati</translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation>Cucitura %1</translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation>&amp;Espanso</translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation>Ogni imbottitura e ogni espanso è di tanto più spesso o più sottile</translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation>Spessore di %1</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation>&amp;Fissaggi</translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation>Ogni curva di fissaggio è spostata di tanto, lungo ogni asse</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Posizione di %1</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation>Rig&amp;idezza</translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation>Ogni tessuto è di tanto più rigido o più morbido</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Rigidezza di %1</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation>&amp;Ritiro</translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation>Ogni pezzo si ritira o si allunga di tanto</translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation>Ritiro di %1</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation>Cuscino</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Cuscino a rullo</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Panca</translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation>Sedia da pranzo</translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation>Poltrona bergère</translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation>Sedile auto</translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation>Poggiatesta</translation>
     </message>
 </context>
 <context>
@@ -6834,6 +7461,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>Disegna &amp;pince</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>T&amp;our</translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation>Trascinare una curva sul telaio</translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation>Le curve colorate sul telaio indicano dove è fissato il tessuto. Fare clic su una di esse, poi trascinare uno dei suoi punti: il rivestimento segue.</translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation>Il rivestimento segue durante il trascinamento e si assesta al rilascio.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Annullare</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation>Ctrl+Z, o questo pulsante, annulla ciò che è stato fatto, fin dove si vuole. Nulla va perso: la cronologia conserva anche ciò che è stato annullato.</translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation>È tutto come prima. I passi annullati sono ancora nella cronologia.</translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation>Scegliere una cucitura</translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation>Le cuciture uniscono due lati del cartamodello. Fare clic su una, nel cartamodello o sul rivestimento: entrambi i lati si illuminano e il rivestimento mostra dove si trova.</translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation>Ora le sue proprietà sono a destra.</translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation>Cambiare come è cucita</translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation>Con la cucitura selezionata, scegliere nelle sue proprietà un’altra continuità o un’altra impuntura: uno spigolo, una cucitura arrotondata o una liscia.</translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation>Il rivestimento mostra la cucitura come sarà cucita.</translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation>Guardare la deformazione</translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation>Visualizza &gt; Mappa colora il rivestimento secondo ciò che il tessuto deve sopportare. Scegliere Deformazione massima per vedere dove è più teso.</translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation>La legenda dice quanto, e il puntatore lo legge in ogni posizione.</translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation>Modificare il cartamodello</translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>Trascinare un punto di un contorno o tagliare una pince (Cartamodello &gt; Disegna pince): ciò che si modifica in piano viene subito cucito.</translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation>Le cuciture mantengono il loro posto su un contorno che cambia.</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>Portare via il risultato</translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation>File &gt; Esporta cartamodello scrive DXF, PDF o SVG con margini di cucitura e tacche; Esporta rivestimento scrive il rivestimento per altri.</translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation>Il file è stato scritto.</translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation>Fine del tour</translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation>Ora è chiaro come cartamodello, cuciture e telaio formano il rivestimento. Iniziare con un proprio modello: in File &gt; Pagina iniziale ci sono modelli pronti. Che cosa fa ogni tasto è in Aiuto &gt; Tasti e mouse.</translation>
     </message>
 </context>
 <context>
@@ -6956,11 +7682,7 @@
     <name>Units</name>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6968,7 +7690,19 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7078,7 +7812,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Frames and foam</source>
@@ -7095,6 +7829,32 @@
     <message>
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>Selezionare pezzi, curve, telai, espanso o scansioni per nasconderli.</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Alto contrasto</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation>Stampa vista</translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation>Impossibile stampare la vista.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation>La stampante al momento non accetta nulla. Controllare che sia accesa e abbia carta, o stampare su file.</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation>Novità</translation>
     </message>
 </context>
 <context>
@@ -7124,6 +7884,116 @@
     <message>
         <source>Drawn in software</source>
         <translation>Disegnato via software</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation>Perché è così?</translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation>La scansione del pezzo</translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation>La scansione di un pezzo corretto</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuna</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation>Di un pezzo come deve essere: dove anche questo si scosta dal rivestimento non si cerca alcuna causa</translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation>Scansione del &amp;pezzo</translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation>Scansione di un pezzo c&amp;orretto</translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation>&amp;Cerca la causa</translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation>Ricerca di una causa…</translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation>Indica quale singola causa spiega meglio quanto un pezzo realizzato si scosta dal rivestimento: espanso, margine di una cucitura, pezzo allungato, fissaggio fuori posto, tacca slittata.</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Entità</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>Spiega</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>Probabilità</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Cause</translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation>Scegliere la scansione del pezzo realizzato.</translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation>Calcolo dei rivestimenti con ogni causa…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Interrotto.</translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation>La scansione non mostra nulla del rivestimento: si trova dov’è il modello?</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation>La scansione mostra %1 del rivestimento e ne dista %2 (rms). Tutte le cause insieme lasciano %3.</translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation>Nessuna singola causa lo spiega meglio del rumore.</translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation>La maggior parte dello scostamento non ha cause di questi tipi, perciò la prima non è per forza quella giusta: indicare anche la scansione di un pezzo corretto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation>
+            <numerusform>e un’altra</numerusform>
+            <numerusform>e altre %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation>La scansione non la distingue da: %1</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>Nel frattempo il modello è cambiato: cercare di nuovo.</translation>
     </message>
 </context>
 <context>
@@ -7221,10 +8091,6 @@
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>Spostato di x %1, y %2, z %3 mm</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>Vincolato a un asse; lo stesso tasto lo libera</translation>
     </message>
@@ -7239,6 +8105,10 @@
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X, Y, Z o Maiusc mantengono un asse, S resta sul telaio, Ctrl solleva, Esc annulla</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation>Spostato di x %1, y %2, z %3</translation>
     </message>
 </context>
 <context>
@@ -7306,6 +8176,29 @@
     </message>
 </context>
 <context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation>Impossibile aprire «%1».</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation>Il sistema non ha riavviato il programma per un’altra finestra. Aprirlo invece da qui.</translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation>È una cartella. Trascinare qui i file che contiene.</translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation>Non è su questo computer, o non lo è più. Salvarlo prima in una cartella.</translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation>Bolster apre progetti e modelli (%1), telai (%2), scansioni (%3), cartamodelli (%4) e immagini di tessuti (%5). Salvarlo in uno di questi formati con il programma d’origine.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsModel</name>
     <message>
         <source>Hidden in the 3D view</source>
@@ -7317,6 +8210,10 @@
     <message>
         <source>Find an element</source>
         <translation>Trova un elemento</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementi</translation>
     </message>
 </context>
 <context>
@@ -7359,7 +8256,7 @@
     </message>
     <message>
         <source>Roll, %1 mm wide</source>
-        <translation>Rotolo, altezza %1 mm</translation>
+        <translation>Rotolo, altezza %1&#xa0;mm</translation>
     </message>
     <message>
         <source>&amp;Landscape</source>
@@ -7422,13 +8319,6 @@
         <translation>&amp;Fori</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n pezzo su %1 x %2 mm</numerusform>
-            <numerusform>%n pezzi su %1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n pagina</numerusform>
@@ -7469,6 +8359,13 @@
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
         <translation>Un doppio clic lascia questa finestra e mostra dove si trova; l’elenco completo è nel pannello «Verifica prima del taglio».</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation>
+            <numerusform>%n pezzo su %1</numerusform>
+            <numerusform>%n pezzi su %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7680,16 +8577,16 @@
         <source>turned by %1</source>
         <translation>ruotato di %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n punto, %1 mm</numerusform>
-            <numerusform>%n punti, %1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, da %2 a %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation>
+            <numerusform>%n punto, %1</numerusform>
+            <numerusform>%n punti, %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8021,10 +8918,6 @@
         <translation>Apri ciò che è stato &amp;recuperato</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato 30 giorni dopo essere finito nel cestino.</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>Metti nel &amp;cestino</translation>
     </message>
@@ -8128,6 +9021,13 @@
         <source>The pattern is imported. What is otherwise than in the file:</source>
         <translation>Il cartamodello è importato. Differenze rispetto al file:</translation>
     </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato %n giorno dopo essere finito nel cestino.</numerusform>
+            <numerusform>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato %n giorni dopo essere finito nel cestino.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -8180,16 +9080,8 @@
         <translation>Larghezza, profondità, altezza</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>È insolito per un mobile: controllare l’unità.</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>Il file ha %1 punti. Sono più di quanti servano per adattare un rivestimento, perciò sono stati ridotti a uno ogni %2 mm.</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8263,8 +9155,12 @@
         <translation>&amp;Mantieni posizione e rotazione</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>Era di %1 mm e diventa di %2 mm: controllare l’unità.</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation>Il file ha %1 punti. Sono più di quanti servano per adattare un rivestimento, perciò sono stati ridotti a uno ogni %2.</translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation>Era di %1 e diventa di %2: controllare l’unità.</translation>
     </message>
 </context>
 <context>
@@ -8272,6 +9168,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>Pezzi stesi in piano</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Un file…</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>Mesh e scansioni (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
@@ -8433,6 +9340,10 @@
         <source>Find a change or a version</source>
         <translation>Trova una modifica o una versione</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>Cronologia</translation>
+    </message>
 </context>
 <context>
     <name>bolster::HistoryView</name>
@@ -8508,10 +9419,6 @@
         <translation>Che cosa diventa contorno dei pezzi se il file ha entrambe le linee.</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>I contorni con estremità non più distanti di così vengono chiusi da una retta.</translation>
     </message>
@@ -8541,19 +9448,11 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8567,13 +9466,6 @@
         <translation>
             <numerusform>, %n volta</numerusform>
             <numerusform>, %n volte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n contorno è aperto: le sue estremità distano fino a %1 mm. Chiudere le interruzioni fino a tale misura, se è un contorno.</numerusform>
-            <numerusform>%n contorni sono aperti: le loro estremità distano fino a %1 mm. Chiudere le interruzioni fino a tale misura, se sono contorni.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8611,6 +9503,28 @@
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
         <translation>%1 ha %2 pezzi; se ne possono importare al massimo %3 alla volta: sono scelti i primi.</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n contorno è aperto: le sue estremità distano fino a %1. Chiudere le interruzioni fino a tale misura, se è un contorno.</numerusform>
+            <numerusform>%n contorni sono aperti: le loro estremità distano fino a %1. Chiudere le interruzioni fino a tale misura, se sono contorni.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation>Nessuna attività in corso.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Interrompi</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8621,14 +9535,6 @@
     <message>
         <source>Messages</source>
         <translation>Messaggi</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8660,6 +9566,65 @@
             <numerusform>%n pezzo è nel cartamodello. Cucitura &gt; Proponi cuciture trova ciò che va insieme.</numerusform>
             <numerusform>%n pezzi sono nel cartamodello. Cucitura &gt; Proponi cuciture trova ciò che va insieme.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation>Bolster sta ancora lavorando.</translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation>Ciò che ora si chiude non viene completato; i file in corso di scrittura restano com’erano.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>&amp;Interrompi e chiudi</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manuale</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Indice</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Indietro (Alt+Sinistra)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Indietro</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Avanti (Alt+Destra)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Avanti</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>Cerca in tutte le pagine</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>Il manuale non ha una pagina «%1».</translation>
     </message>
 </context>
 <context>
@@ -9133,10 +10098,6 @@
         <translation>An&amp;goli</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>No point &amp;moves farther than</source>
         <translation>&amp;Nessun punto si sposta oltre</translation>
     </message>
@@ -9161,16 +10122,8 @@
         <translation>&amp;Quanto se ne applica</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Un file…</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>La forma a cui deve aderire il rivestimento</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Mesh e scansioni (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9187,10 +10140,6 @@
     <message>
         <source>Stopped; nothing has changed.</source>
         <translation>Interrotto; nulla è cambiato.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Interrompi</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9210,7 +10159,7 @@
     </message>
     <message>
         <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>Dalla forma: %1 prima, %2 ora (rms); %3 prima, %4 ora (95 %)</translation>
+        <translation>Dalla forma: %1 prima, %2 ora (rms); %3 prima, %4 ora (95&#xa0;%)</translation>
     </message>
     <message>
         <source>Over the limit: %1 of the cover before, %2 now</source>
@@ -9251,6 +10200,66 @@
         <source>With all of the changes:</source>
         <translation>Con tutte le modifiche:</translation>
     </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation>Adattamento del cartamodello…</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Nessuna pie&amp;ga nei pezzi selezionati</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Nessun loro tessuto è compresso; se nessuno è selezionato: tutti</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>La c&amp;ucitura selezionata segue</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Una curva disegnata sul telaio o sulla forma; non occorre che fissi qualcosa</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Quota dell’area</translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation>Area mantenuta dai pe&amp;zzi selezionati</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Meno di 100&#xa0;%: diventano più piccoli</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Selezionare la cucitura che deve seguire la curva.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Selezionare i pezzi che devono diventare più grandi o più piccoli.</translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation>Modifica del cartamodello…</translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation>Compresso: %1 prima, %2 ora</translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation>Dalla curva: %1 prima, %2 ora (rms)</translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation>Dall’area voluta: %1 prima, %2 ora</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -9261,6 +10270,238 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>Trascinare a destra per una guida verticale. I segni spostano le guide orizzontali; trascinarle fuori per rimuoverle.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation>Preferenze (*.json)</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>Nessuna impostazione contiene queste parole.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferenze</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>Trova un’impostazione</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pagine</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuna</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Scegli…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation>&amp;Modifica singole scorciatoie…</translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation>&amp;Valori predefiniti</translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation>Tutte le impostazioni di questa pagina</translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation>&amp;Esporta…</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>&amp;Importa…</translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation>Esporta preferenze</translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation>Preferenze di Bolster.json</translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation>Importa preferenze</translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation>Impossibile esportare le preferenze.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation>Da «%1» non è stato importato nulla; tutte le impostazioni sono com’erano.</translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation>Le preferenze sono state importate.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation>
+            <numerusform>Questa versione di Bolster non ne conosce una: %1</numerusform>
+            <numerusform>Questa versione di Bolster non ne conosce %n: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Ruotare</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Spostare la vista</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>Nella vista 3D</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Nel cartamodello</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1: che cosa significa e che cosa fare</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation>Riduci la deformazione</translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation>&amp;Cerca modifiche</translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation>Ricerca di ciò che riduce la deformazione…</translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation>Dove il tessuto è deformato o compresso più di quanto può, si provano modifiche del cartamodello e si calcolano le migliori.</translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation>Modifiche proposte</translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation>Deformazione al &amp;massimo</translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation>Altrimenti valgono i limiti dei tessuti</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Limite di deformazione</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation>&amp;Spostamento massimo dei lati</translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation>Prova delle modifiche…</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>Interrotto; nulla è cambiato.</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation>Nulla è deformato oltre il limite.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation>%1 del rivestimento è oltre il limite. Nessuna modifica lo migliora.</translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Ognuna è calcolata a sé; «Applica» è un solo passo, che Annulla revoca.</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>Com’è ora</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation>%1 del rivestimento è oltre il limite.</translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation>%1 in meno di deformazione oltre il limite</translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation>%1 in più di deformazione oltre il limite</translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation>%1 in meno di rivestimento oltre il limite</translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation>%1 in più di rivestimento oltre il limite</translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation>Da cucire: %1 in più</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation>I lati delle cuciture differiscono di %1 in più</translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation>I contorni cambiano di %1</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>Mostra dove</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>Applica</translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation>Applica: %1</translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation>Applicato. Annulla lo revoca; cercare di nuovo per vedere che cosa serve ora.</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>Nel frattempo il modello è cambiato: cercare di nuovo.</translation>
     </message>
 </context>
 <context>
@@ -9433,6 +10674,96 @@
         <source>Open its folder</source>
         <translation>Apri la cartella</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Anteprima</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation>Che cosa è stato creato</translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation>Disegno di %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Segnala un problema</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation>Che cosa si stava facendo, che cosa è successo e che cosa sarebbe dovuto succedere?</translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation>&amp;Che cosa è successo:</translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation>&amp;Aggiungi il modello («%1»), senza telai, scansioni e immagini</translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation>Altro contenuto del &amp;rapporto:</translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>Scrivi il rapporto…</translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation>Scrive un file da dare a chi può aiutare. Bolster non invia nulla.</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>non ancora noto</translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation>Messaggi di questa esecuzione:</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(nessuno)</translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation>L’ultimo arresto anomalo:</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Scrivi il rapporto</translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation>ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation>Il rapporto è stato scritto: %1</translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Impossibile scrivere il rapporto: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Interrompi</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ScanLink</name>
@@ -9488,12 +10819,8 @@
         <translation>Ricerca di lati che vanno insieme…</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 e %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>There are no free edges that seem to belong together.</source>
@@ -9509,7 +10836,11 @@
     </message>
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
-        <translation>Quelle dal 50 % in su. Ciò che è cucito indica dove vanno le vicine.</translation>
+        <translation>Quelle dal 50&#xa0;% in su. Ciò che è cucito indica dove vanno le vicine.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 e %2</translation>
     </message>
 </context>
 <context>
@@ -9524,7 +10855,7 @@
     </message>
     <message>
         <source>More than 5 % ease puckers.</source>
-        <translation>Oltre il 5 % di lentezza arriccia.</translation>
+        <translation>Oltre il 5&#xa0;% di lentezza arriccia.</translation>
     </message>
     <message>
         <source>Seam</source>
@@ -9592,7 +10923,7 @@
     </message>
     <message>
         <source>The ease over the shorter side; more than 5 % puckers</source>
-        <translation>La lentezza rispetto al lato più corto; oltre il 5 % arriccia</translation>
+        <translation>La lentezza rispetto al lato più corto; oltre il 5&#xa0;% arriccia</translation>
     </message>
 </context>
 <context>
@@ -9600,6 +10931,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>Ancora nessuna cucitura. Scegliere lo strumento di cucitura (W), poi fare clic sui due lati che vanno insieme.</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Cuciture</translation>
     </message>
 </context>
 <context>
@@ -9761,6 +11096,10 @@
         <source>%1 it is.</source>
         <translation>%1 è assegnato.</translation>
     </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandi</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
@@ -9883,6 +11222,101 @@
     </message>
 </context>
 <context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>Pagina iniziale</translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation>Benvenuti in Bolster</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Inizia il tour</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Apri…</translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation>Torna al modello</translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation>Da che cosa si parte?</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>Un telaio</translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation>Il rivestimento vi viene fissato: %1</translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation>Un cartamodello</translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation>I suoi pezzi diventano il rivestimento: %1</translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation>Una scansione</translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation>Il rivestimento vi viene adattato: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Ancora nulla</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation>Disegnare un rettangolo, il primo pezzo</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuare con</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Svuota l’elenco</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation>Togli da questo elenco; il file resta</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Lavoro non salvato</translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation>Conservato per dopo, ultima modifica %1</translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation>Rimasto da un arresto anomalo, ultima modifica %1</translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation>Iniziare da un modello pronto</translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation>Guardare un esempio</translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation>Ora non è reperibile</translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
@@ -9947,13 +11381,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
         <translation>Il tessuto ha continuato a muoversi fino al termine del calcolo. Le cause consuete:
 • Un pezzo che nulla tiene: fissarne un lato o cucirlo ad altri.
 • Una cucitura con lati di lunghezza molto diversa: renderli più simili.
 • Un pezzo molto lungo o molto stretto: dividerlo o allargarlo.
-• Pressione alta: ridurla nelle proprietà del modello.
+• Pressione alta: ridurla nelle proprietà del pezzo.
 Si vede il tessuto com’era alla fine.</translation>
     </message>
     <message>
@@ -9970,10 +11404,174 @@ Si vede il tessuto com’era alla fine.</translation>
     </message>
 </context>
 <context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolleranze</translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation>&amp;Genera pezzi</translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation>Calcolo di pezzi entro le tolleranze…</translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation>I pezzi sono generati a caso entro le tolleranze: dove varia il rivestimento, quale tolleranza conta, quanti pezzi sono fuori limite?</translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation>M&amp;ostra sul rivestimento ciò che il 95&#xa0;% dei pezzi non supera</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolleranza</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>Quota della varianza</translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation>Spostamento massimo</translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation>Tolleranze per influenza</translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation>Tolleranze (±); 0: nessuna</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pezzi</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation>Ogni misura compresa è ugualmente probabile</translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation>Normale: la tolleranza equivale a tre deviazioni standard</translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation>Prima se ne generano diecimila come se i rivestimenti fossero lineari, il che richiede secondi</translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation>Un pezzo è fuori limite quando più del 5&#xa0;% del rivestimento dista di più da dove dovrebbe essere</translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation>Ge&amp;nerati</translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation>Ca&amp;lcolati</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>Li&amp;mite</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation>Nulla varia: indicare una tolleranza maggiore di 0 per qualcosa che il modello ha.</translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation>Calcolo dei rivestimenti con ogni tolleranza…</translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation>Interrotto. Ciò che è mostrato proviene da rivestimenti lineari.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Interrotto.</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation>Il 95&#xa0;% dei pezzi resta entro %1 (rms sul rivestimento), %2 dove è massimo.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation>Fuori limite: %1 dei pezzi.</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation>Questo come se i rivestimenti fossero lineari; calcolo dei pezzi in corso…</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation>Questo come se i rivestimenti fossero lineari.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation>
+            <numerusform>In base a %n pezzo calcolato.</numerusform>
+            <numerusform>In base a %n pezzi calcolati.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation>
+            <numerusform>%n pezzo non ha un rivestimento a riposo sugli stessi triangoli.</numerusform>
+            <numerusform>%n pezzi non hanno un rivestimento a riposo sugli stessi triangoli.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation>Ciò che il 95&#xa0;% dei pezzi non supera</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation>Nel frattempo il modello è cambiato: generare di nuovo i pezzi.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>Operazione impossibile, nulla è stato modificato: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Indietro</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Avanti</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Esci dal tour</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Tour</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation>Aiuto &gt; Tour riprende da qui</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation>Tour, %1 di %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
     </message>
 </context>
 <context>

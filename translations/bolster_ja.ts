@@ -160,6 +160,33 @@
     </message>
 </context>
 <context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>フォームが厚い、または薄い</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>フォームが硬い、または軟らかい</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>縫い目の縫い代</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>パーツが大きい、または小さい</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>固定の位置がずれている</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>縫い目がずれて縫われている</translation>
+    </message>
+</context>
+<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -231,16 +258,16 @@
         <translation>クリックでパーツを選択、ドラッグでビューを回転</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>クリックで選択、ドラッグで回転。Shift+中ボタンで移動、ホイールでズーム</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>クリックで曲線を選択、ダブルクリックでここに制御点を追加</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>クリックでここにあるものを選択、ドラッグでビューを回転</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation>クリックで選択、ドラッグで回転。%1で移動、%2でズーム</translation>
     </message>
 </context>
 <context>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>裁断前チェック</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>ジョブ</translation>
     </message>
 </context>
 <context>
@@ -1118,7 +1149,7 @@
     </message>
     <message>
         <source>Checker, 20 mm</source>
-        <translation>市松、20 mm</translation>
+        <translation>市松、20&#xa0;mm</translation>
     </message>
     <message>
         <source>Plain</source>
@@ -1804,7 +1835,7 @@
     </message>
     <message>
         <source>10 mm</source>
-        <translation>10 mm</translation>
+        <translation>10&#xa0;mm</translation>
     </message>
     <message>
         <source>Automatic notches</source>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>フォームの形状をエクスポート(&amp;B)…</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation>ビューを印刷…</translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2067,16 +2102,16 @@
         <translation>次の点をクリックまたは入力、Enter で終了、C で閉じる。B で直線、Backspace で点を取り消す</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>次の点をクリックまたは入力、Enter で終了、C で閉じる。間に何があっても点から点へ直線: B で面に沿って滑らかに、Backspace で点を取り消す</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>曲線を閉じる(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1、%2、%3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>「%1」: 最大 %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>「%1」: %2 mm 超</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2125,8 +2152,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>「%1」: 辺が最大 %2 mm 離れています</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation>「%1」: 辺が最大 %2 離れています</translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation>「%1」: 最大 %2</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation>「%1」: %2 超</translation>
     </message>
 </context>
 <context>
@@ -2213,10 +2248,6 @@
     <message>
         <source>Mesh</source>
         <translation>メッシュ</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>Piece %1: %2</source>
@@ -2330,10 +2361,6 @@
         <translation>制御点を追加</translation>
     </message>
     <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>1 mm、10 mm 移動</translation>
-    </message>
-    <message>
         <source>arrow keys, Shift+arrow keys</source>
         <translation>矢印キー、Shift+矢印キー</translation>
     </message>
@@ -2342,28 +2369,12 @@
         <translation>表示を移動</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>中ボタン、または Space を押しながらドラッグ</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>ズーム</translation>
     </message>
     <message>
-        <source>wheel</source>
-        <translation>ホイール</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>回転</translation>
-    </message>
-    <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>中ボタン、またはカバーの外をドラッグ</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Shift+中ボタン</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -2399,7 +2410,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Patches, seams</source>
@@ -2447,7 +2458,7 @@
     </message>
     <message>
         <source>%1 m², %2 m²</source>
-        <translation>%1 m²、%2 m²</translation>
+        <translation>%1&#xa0;m²、%2&#xa0;m²</translation>
     </message>
     <message>
         <source>Turned triangles</source>
@@ -2487,7 +2498,7 @@
     </message>
     <message>
         <source>Strain: root mean square, 99 %, largest</source>
-        <translation>ひずみ: 二乗平均平方根、99 %、最大</translation>
+        <translation>ひずみ: 二乗平均平方根、99&#xa0;%、最大</translation>
     </message>
     <message>
         <source>double click on an outline or curve</source>
@@ -2599,7 +2610,7 @@
     </message>
     <message>
         <source>type it while dragging: 50, 30, 20, for sizes 300 x 200 or 120 %; Enter lets go</source>
-        <translation>ドラッグ中に入力: 50 または 30, 20、サイズは 300 x 200 や 120 %。Enter で離す</translation>
+        <translation>ドラッグ中に入力: 50 または 30, 20、サイズは 300 x 200 や 120&#xa0;%。Enter で離す</translation>
     </message>
     <message>
         <source>click edges; Shift+click collects several; Esc ends</source>
@@ -2608,6 +2619,18 @@
     <message>
         <source>right button, without a drag</source>
         <translation>右ボタン (ドラッグなし)</translation>
+    </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation>%1、%2 移動</translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation>%1、または Space を押しながらドラッグ</translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation>%1、またはカバーの外をドラッグ</translation>
     </message>
 </context>
 <context>
@@ -2621,8 +2644,8 @@
         <translation>フォーム</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>このフレームは大きいため、最小ディテールを %1 mm にしました。通常の %2 mm ではメモリが足りません。</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation>このフレームは大きいため、最小ディテールを %1 にしました。通常の %2 ではメモリが足りません。</translation>
     </message>
 </context>
 <context>
@@ -2689,6 +2712,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>カバーがスキャンに沿うように、またはひずみが減るように型紙を変えます</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation>ひずみを緩和…</translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation>生地のひずみが大きすぎる所の型紙の変更と、それぞれの効果を提案します</translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation>原因は?…</translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation>実物のスキャンとカバーの差を最もよく説明する原因を調べます</translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation>公差…</translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation>カバーの個体差が出る所と、影響の大きい製作公差を調べます</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2829,6 +2891,25 @@
     </message>
 </context>
 <context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>マニュアル(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>今の操作についてのページ</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>マニュアルがインストールされていません。</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>プログラムの他のファイルと同じ場所にある「manual」フォルダーです。</translation>
+    </message>
+</context>
+<context>
     <name>MapCommands</name>
     <message>
         <source>&amp;Map</source>
@@ -2933,7 +3014,7 @@
     </message>
     <message>
         <source>point %1 is no number or beyond 1e7 mm</source>
-        <translation>点 %1 は数値でないか、1e7 mm を超えています</translation>
+        <translation>点 %1 は数値でないか、1e7&#xa0;mm を超えています</translation>
     </message>
     <message>
         <source>corners belong to closed curves of degree 3 only</source>
@@ -3009,7 +3090,7 @@
     </message>
     <message>
         <source>the text is larger than %1 MB; that is no design</source>
-        <translation>テキストが %1 MB を超えており、デザインではありません</translation>
+        <translation>テキストが %1&#xa0;MB を超えており、デザインではありません</translation>
     </message>
     <message>
         <source>knot %1 occurs more often than %2 times, the degree; remove the surplus ones</source>
@@ -3177,7 +3258,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is too large: %2 MB, and at most %3 MB are read</source>
-        <translation>「%1」は大きすぎます: %2 MB。読み込めるのは %3 MB までです</translation>
+        <translation>「%1」は大きすぎます: %2&#xa0;MB。読み込めるのは %3&#xa0;MB までです</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is write-protected</source>
@@ -3197,11 +3278,11 @@
     </message>
     <message>
         <source>%1 and %2 hold the same point of the cover in two places, %3 mm apart. Let both curves meet there, or end one stretch earlier.</source>
-        <translation>%1 と %2 がカバーの同じ点を %3 mm 離れた 2 か所で保持しています。そこで両方の曲線を合わせるか、一方の区間を手前で終わらせてください。</translation>
+        <translation>%1 と %2 がカバーの同じ点を %3&#xa0;mm 離れた 2 か所で保持しています。そこで両方の曲線を合わせるか、一方の区間を手前で終わらせてください。</translation>
     </message>
     <message>
         <source>the patch is too narrow somewhere for edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>パーツに、%1 mm のエッジには狭すぎる所があります。エッジ長を小さくしてください。</translation>
+        <translation>パーツに、%1&#xa0;mm のエッジには狭すぎる所があります。エッジ長を小さくしてください。</translation>
     </message>
     <message>
         <source>The design cannot be solved: %2</source>
@@ -3217,7 +3298,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by an estimated %2 mm. Allow more iterations.</source>
-        <translation>%1 回の反復後も、面がまだ推定 %2 mm 動いています。反復回数を増やしてください。</translation>
+        <translation>%1 回の反復後も、面がまだ推定 %2&#xa0;mm 動いています。反復回数を増やしてください。</translation>
     </message>
     <message>
         <source>Remove %1 points</source>
@@ -3493,7 +3574,7 @@
     </message>
     <message>
         <source>an edge length of %1 mm is used instead</source>
-        <translation>代わりにエッジ長 %1 mm を使います</translation>
+        <translation>代わりにエッジ長 %1&#xa0;mm を使います</translation>
     </message>
     <message>
         <source>the file is not a design</source>
@@ -3537,7 +3618,7 @@
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
-        <translation>%1 mm では三角形が 500 万を超えます。これらのパーツには少なくとも %2 mm を指定してください</translation>
+        <translation>%1&#xa0;mm では三角形が 500 万を超えます。これらのパーツには少なくとも %2&#xa0;mm を指定してください</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
@@ -3545,7 +3626,7 @@
     </message>
     <message>
         <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
-        <translation>曲げ長さ %1 mm でできる細かいしわは、このメッシュでは表せません。%2 mm のエッジでは %3 mm 相当になります。エッジ長を %4 mm 以下にするか、曲げ長さを大きくしてください</translation>
+        <translation>曲げ長さ %1&#xa0;mm でできる細かいしわは、このメッシュでは表せません。%2&#xa0;mm のエッジでは %3&#xa0;mm 相当になります。エッジ長を %4&#xa0;mm 以下にするか、曲げ長さを大きくしてください</translation>
     </message>
     <message>
         <source>an outline must be a closed curve</source>
@@ -3593,7 +3674,7 @@
     </message>
     <message>
         <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
-        <translation>縫い目の両側の長さが %1 mm (「%2」) と %3 mm (「%4」) です。いせ %5 %。5 % を超えるとしわになります。長さを揃えるか、区間の端を確認してください</translation>
+        <translation>縫い目の両側の長さが %1&#xa0;mm (「%2」) と %3&#xa0;mm (「%4」) です。いせ %5&#xa0;%。5&#xa0;% を超えるとしわになります。長さを揃えるか、区間の端を確認してください</translation>
     </message>
     <message>
         <source>the curve has no length; move its points apart</source>
@@ -3629,11 +3710,11 @@
     </message>
     <message>
         <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
-        <translation>値は %1 ですが、%2 以下の正の長さでなければなりません。標準は 12 mm です</translation>
+        <translation>値は %1 ですが、%2 以下の正の長さでなければなりません。標準は 12&#xa0;mm です</translation>
     </message>
     <message>
         <source>no mesh can resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take a longer bending length</source>
-        <translation>曲げ長さ %1 mm でできる細かいしわは、どのメッシュでも表せません。%2 mm のエッジでは %3 mm 相当になります。曲げ長さを大きくしてください</translation>
+        <translation>曲げ長さ %1&#xa0;mm でできる細かいしわは、どのメッシュでも表せません。%2&#xa0;mm のエッジでは %3&#xa0;mm 相当になります。曲げ長さを大きくしてください</translation>
     </message>
     <message>
         <source>it sews what %1 sews already; remove one of them</source>
@@ -3657,7 +3738,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
-        <translation>%1 回の反復後も、面が毎回 %2 mm 動き、静止しません。圧力を下げるか、曲線を、保持する輪郭と同じ長さにしてください。</translation>
+        <translation>%1 回の反復後も、面が毎回 %2&#xa0;mm 動き、静止しません。圧力を下げるか、曲線を、保持する輪郭と同じ長さにしてください。</translation>
     </message>
     <message>
         <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
@@ -3713,7 +3794,7 @@
     </message>
     <message>
         <source>a width of %1 mm is too narrow for edges of %2 mm; make it at least %3 mm wide, or choose a smaller edge length</source>
-        <translation>幅 %1 mm は %2 mm のエッジには狭すぎます。幅を %3 mm 以上にするか、エッジ長を小さくしてください</translation>
+        <translation>幅 %1&#xa0;mm は %2&#xa0;mm のエッジには狭すぎます。幅を %3&#xa0;mm 以上にするか、エッジ長を小さくしてください</translation>
     </message>
     <message>
         <source>it lies outside its patch; move its points inside the outline</source>
@@ -3729,7 +3810,7 @@
     </message>
     <message>
         <source>it bends too sharply for a width of %1 mm near %2; make it narrower, or bend it less there</source>
-        <translation>%2 付近の曲がりが幅 %1 mm には急すぎます。幅を狭くするか、曲がりを緩めてください</translation>
+        <translation>%2 付近の曲がりが幅 %1&#xa0;mm には急すぎます。幅を狭くするか、曲がりを緩めてください</translation>
     </message>
     <message>
         <source>a cushion takes at most %1 bodies of foam; this one is left out</source>
@@ -3741,7 +3822,7 @@
     </message>
     <message>
         <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
-        <translation>長さが %1 mm しかありません。%2 mm 以上にするか、エッジ長を小さくしてください</translation>
+        <translation>長さが %1&#xa0;mm しかありません。%2&#xa0;mm 以上にするか、エッジ長を小さくしてください</translation>
     </message>
     <message>
         <source>it reaches beyond its patch near %1; move its points inside the outline</source>
@@ -3749,19 +3830,19 @@
     </message>
     <message>
         <source>it comes closer than %1 mm to the outline near %2; keep away from it, or choose a smaller edge length</source>
-        <translation>%2 付近で輪郭から %1 mm 以内に近づいています。離すか、エッジ長を小さくしてください</translation>
+        <translation>%2 付近で輪郭から %1&#xa0;mm 以内に近づいています。離すか、エッジ長を小さくしてください</translation>
     </message>
     <message>
         <source>it crosses %1, or comes closer to it than %2 mm, near %3; move them apart, or choose a smaller edge length</source>
-        <translation>%3 付近で %1 と交差するか、%2 mm 以内に近づいています。離すか、エッジ長を小さくしてください</translation>
+        <translation>%3 付近で %1 と交差するか、%2&#xa0;mm 以内に近づいています。離すか、エッジ長を小さくしてください</translation>
     </message>
     <message>
         <source>it crosses itself, or comes closer to itself than %1 mm, near %2; move its points apart, or choose a smaller edge length</source>
-        <translation>%2 付近で自身と交差するか、%1 mm 以内に近づいています。点を離すか、エッジ長を小さくしてください</translation>
+        <translation>%2 付近で自身と交差するか、%1&#xa0;mm 以内に近づいています。点を離すか、エッジ長を小さくしてください</translation>
     </message>
     <message>
         <source>the patch cannot be triangulated along it with edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>%1 mm のエッジでは、パーツをこの曲線に沿って三角形分割できません。エッジ長を小さくしてください。</translation>
+        <translation>%1&#xa0;mm のエッジでは、パーツをこの曲線に沿って三角形分割できません。エッジ長を小さくしてください。</translation>
     </message>
     <message>
         <source>Change the frame of %1</source>
@@ -3885,7 +3966,7 @@
     </message>
     <message>
         <source>with this scale and position the points reach beyond 10,000,000 mm</source>
-        <translation>この縮尺と位置では、点が 10,000,000 mm を超えます</translation>
+        <translation>この縮尺と位置では、点が 10,000,000&#xa0;mm を超えます</translation>
     </message>
     <message>
         <source>Add scan %1</source>
@@ -4065,7 +4146,7 @@
     </message>
     <message>
         <source>They are no mirror images: they differ by %1 mm. Twins must be alike; make a mirror twin of one of them instead.</source>
-        <translation>鏡像ではありません。%1 mm の差があります。対称ペアは同じ形でなければなりません。代わりに、一方から対称ペアを作成してください。</translation>
+        <translation>鏡像ではありません。%1&#xa0;mm の差があります。対称ペアは同じ形でなければなりません。代わりに、一方から対称ペアを作成してください。</translation>
     </message>
     <message>
         <source>Make a mirror twin of %1</source>
@@ -4093,7 +4174,7 @@
     </message>
     <message>
         <source>The sides of the seam differ by %1 % in length, more than 5 %.</source>
-        <translation>縫い目の両側の長さの差が %1 % で、5 % を超えています。</translation>
+        <translation>縫い目の両側の長さの差が %1&#xa0;% で、5&#xa0;% を超えています。</translation>
     </message>
     <message>
         <source>Select the seam along which to merge.</source>
@@ -4625,7 +4706,7 @@
     </message>
     <message>
         <source>this changes more at once than can be stored: at most %1 MB, and %2 keys; do it in parts</source>
-        <translation>一度の変更が保存できる量を超えています (最大 %1 MB、キー %2 個)。分けて行ってください</translation>
+        <translation>一度の変更が保存できる量を超えています (最大 %1&#xa0;MB、キー %2 個)。分けて行ってください</translation>
     </message>
     <message>
         <source>&quot;%1&quot; unpacks to more than any project; it was not made by Bolster, or is damaged</source>
@@ -4661,23 +4742,23 @@
     </message>
     <message>
         <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
-        <translation>接触はフレームを %1 mm 刻みで調べます。次の部品にそれより薄い所があり、カバーが通り抜けることがあります: %2。厚くしてください</translation>
+        <translation>接触はフレームを %1&#xa0;mm 刻みで調べます。次の部品にそれより薄い所があり、カバーが通り抜けることがあります: %2。厚くしてください</translation>
     </message>
     <message>
         <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
-        <translation>接触は効いていません。%1 mm 刻みではフレームの内部が見つかりません。フレームがそれより薄いか、開きすぎています。フレームを閉じるか、厚くしてください</translation>
+        <translation>接触は効いていません。%1&#xa0;mm 刻みではフレームの内部が見つかりません。フレームがそれより薄いか、開きすぎています。フレームを閉じるか、厚くしてください</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 は地の目方向に %2 % 伸びています。生地の許容は %3 % です</translation>
+        <translation>%1 は地の目方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 は直交方向に %2 % 伸びています。生地の許容は %3 % です</translation>
+        <translation>%1 は直交方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
     </message>
     <message>
         <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 は %2 % せん断されています。生地の許容は %3 % です</translation>
+        <translation>%1 は %2&#xa0;% せん断されています。生地の許容は %3&#xa0;% です</translation>
     </message>
     <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
@@ -4689,11 +4770,11 @@
     </message>
     <message>
         <source>%1 holds the cloth %2 mm off the frame</source>
-        <translation>%1 が生地をフレームから %2 mm 離して保持しています</translation>
+        <translation>%1 が生地をフレームから %2&#xa0;mm 離して保持しています</translation>
     </message>
     <message>
         <source>The seam of %1 and %2 has %3 % ease: it puckers above %4 %</source>
-        <translation>%1 と %2 の縫い目のいせは %3 % です。%4 % を超えるとしわになります</translation>
+        <translation>%1 と %2 の縫い目のいせは %3&#xa0;% です。%4&#xa0;% を超えるとしわになります</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations.</source>
@@ -4701,7 +4782,7 @@
     </message>
     <message>
         <source>The surface ran away after %1 iterations: %2 holds it %3 mm from everything else. Bring that curve nearer.</source>
-        <translation>%1 回の反復後、面が発散しました。%2 が他のすべてから %3 mm 離れて保持しています。その曲線を近づけてください。</translation>
+        <translation>%1 回の反復後、面が発散しました。%2 が他のすべてから %3&#xa0;mm 離れて保持しています。その曲線を近づけてください。</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: %1 is degenerate or its numbers are too large. Check its outline and its fabric.</source>
@@ -4805,15 +4886,15 @@
     </message>
     <message>
         <source>a smallest detail of %1 mm is too fine for a frame as large as this (%2 million cubes of it, and %3 are the limit), so the cushion is left out; take at least %4 mm</source>
-        <translation>最小ディテール %1 mm は、これほど大きいフレームには細かすぎます (立方体の数、百万個単位: %2、上限 %3)。そのためクッションは除外されます。%4 mm 以上にしてください</translation>
+        <translation>最小ディテール %1&#xa0;mm は、これほど大きいフレームには細かすぎます (立方体の数、百万個単位: %2、上限 %3)。そのためクッションは除外されます。%4&#xa0;mm 以上にしてください</translation>
     </message>
     <message>
         <source>something of these parts of the frame is thinner than the smallest detail of the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail</source>
-        <translation>次の部品に、詰め物の最小ディテール %1 mm より薄い所があり、詰め物に欠けができることがあります: %2。ディテールを小さくしてください</translation>
+        <translation>次の部品に、詰め物の最小ディテール %1&#xa0;mm より薄い所があり、詰め物に欠けができることがあります: %2。ディテールを小さくしてください</translation>
     </message>
     <message>
         <source>it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is thinner than that, or so open that it has none; take a smaller detail, or close the frame</source>
-        <translation>何も押していません。最小ディテール %1 mm ではフレームの内部がありません。フレームがそれより薄いか、開きすぎています。ディテールを小さくするか、フレームを閉じてください</translation>
+        <translation>何も押していません。最小ディテール %1&#xa0;mm ではフレームの内部がありません。フレームがそれより薄いか、開きすぎています。ディテールを小さくするか、フレームを閉じてください</translation>
     </message>
     <message>
         <source>Change the slanted faces of %1</source>
@@ -4841,7 +4922,7 @@
     </message>
     <message>
         <source>a notch of %1 mm reaches the sewing line, which is %2 mm away: make it shallower, or the allowance wider</source>
-        <translation>%1 mm のノッチが %2 mm 先の出来上がり線に届きます。浅くするか、縫い代を広げてください</translation>
+        <translation>%1&#xa0;mm のノッチが %2&#xa0;mm 先の出来上がり線に届きます。浅くするか、縫い代を広げてください</translation>
     </message>
     <message>
         <source>nothing is sewn where it is, so it has no partner</source>
@@ -4853,7 +4934,7 @@
     </message>
     <message>
         <source>it is %1 mm wide across the grain, but &quot;%2&quot; only %3 mm: split it, or turn its grain</source>
-        <translation>直交方向の幅が %1 mm ですが、「%2」は %3 mm しかありません。分割するか、地の目を回転してください</translation>
+        <translation>直交方向の幅が %1&#xa0;mm ですが、「%2」は %3&#xa0;mm しかありません。分割するか、地の目を回転してください</translation>
     </message>
     <message>
         <source>an inner corner of %1 degrees is too sharp for its seam allowances: make them smaller there, or the corner wider</source>
@@ -4977,19 +5058,19 @@
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>両側の長さが %1 mm と %2 mm です。縫い目の長さを揃えるか、目標のいせをプロパティで指定してください</translation>
+        <translation>両側の長さが %1&#xa0;mm と %2&#xa0;mm です。縫い目の長さを揃えるか、目標のいせをプロパティで指定してください</translation>
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
-        <translation>両側の長さが %1 mm と %2 mm ですが、2 番目の側は %3 mm 長くなければなりません。縫い目の長さを揃えるか、プロパティでいせを変更してください</translation>
+        <translation>両側の長さが %1&#xa0;mm と %2&#xa0;mm ですが、2 番目の側は %3&#xa0;mm 長くなければなりません。縫い目の長さを揃えるか、プロパティでいせを変更してください</translation>
     </message>
     <message>
         <source>The mouth of a dart must be at least 1 mm wide.</source>
-        <translation>ダーツの開きは 1 mm 以上必要です。</translation>
+        <translation>ダーツの開きは 1&#xa0;mm 以上必要です。</translation>
     </message>
     <message>
         <source>The tip of a dart must lie inside its patch, at least 5 mm from its mouth.</source>
-        <translation>ダーツの先端はパーツの内側で、開きから 5 mm 以上離れていなければなりません。</translation>
+        <translation>ダーツの先端はパーツの内側で、開きから 5&#xa0;mm 以上離れていなければなりません。</translation>
     </message>
     <message>
         <source>The legs of the dart would cross the outline of %1: put its tip elsewhere.</source>
@@ -5033,7 +5114,7 @@
     </message>
     <message>
         <source>%1: the file is larger than a pattern can be (%2 MB)</source>
-        <translation>%1: ファイルが型紙の上限を超えています (%2 MB)</translation>
+        <translation>%1: ファイルが型紙の上限を超えています (%2&#xa0;MB)</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a group code of DXF</source>
@@ -5077,7 +5158,7 @@
     </message>
     <message>
         <source>A dart is rotated to a place at least 5 mm from its mouth.</source>
-        <translation>ダーツの移動先は、開きから 5 mm 以上離れた場所にしてください。</translation>
+        <translation>ダーツの移動先は、開きから 5&#xa0;mm 以上離れた場所にしてください。</translation>
     </message>
     <message>
         <source>The line from the tip of the dart to there would leave %1.</source>
@@ -5125,7 +5206,7 @@
     </message>
     <message>
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
-        <translation>両側の縫い代が %1 mm と %2 mm です。揃えるか、重ねるときに注意してください</translation>
+        <translation>両側の縫い代が %1&#xa0;mm と %2&#xa0;mm です。揃えるか、重ねるときに注意してください</translation>
     </message>
     <message>
         <source>This edge of %1 is not as long as that.</source>
@@ -5133,11 +5214,11 @@
     </message>
     <message>
         <source>the pattern is so large that the edge length of its triangles becomes %1 mm; is the unit right?</source>
-        <translation>型紙が大きいため、三角形のエッジ長が %1 mm になります。単位は正しいですか?</translation>
+        <translation>型紙が大きいため、三角形のエッジ長が %1&#xa0;mm になります。単位は正しいですか?</translation>
     </message>
     <message>
         <source>%1 is left out: it is %2 m large, the most is %3 m; is the unit right?</source>
-        <translation>%1 を除外しました: 大きさが %2 m で、上限は %3 m です。単位は正しいですか?</translation>
+        <translation>%1 を除外しました: 大きさが %2&#xa0;m で、上限は %3&#xa0;m です。単位は正しいですか?</translation>
     </message>
     <message>
         <source>%1 is left out: its outline has fewer than three points</source>
@@ -5149,7 +5230,7 @@
     </message>
     <message>
         <source>%1: its outline has more than %2 points and is simplified, by %3 mm at most</source>
-        <translation>%1: 輪郭の点が %2 個を超えるため、最大 %3 mm の誤差で単純化しました</translation>
+        <translation>%1: 輪郭の点が %2 個を超えるため、最大 %3&#xa0;mm の誤差で単純化しました</translation>
     </message>
     <message>
         <source>%1: its quantity &quot;%2&quot; is no number of pieces; it is cut once until somebody says how often</source>
@@ -5161,7 +5242,7 @@
     </message>
     <message>
         <source>%1: %2 drill holes are narrower than %3 mm or wider than %4 mm and become as wide as possible</source>
-        <translation>%1: ドリル穴 %2 個が %3 mm より小さいか %4 mm より大きいため、可能な最大の大きさにしました</translation>
+        <translation>%1: ドリル穴 %2 個が %3&#xa0;mm より小さいか %4&#xa0;mm より大きいため、可能な最大の大きさにしました</translation>
     </message>
     <message>
         <source>%1 is left out: it would be a patch with mistakes</source>
@@ -5217,7 +5298,7 @@
     </message>
     <message>
         <source>the cover is %1 mm thick and has %2 cm³</source>
-        <translation>カバーは厚さ %1 mm、体積 %2 cm³ です</translation>
+        <translation>カバーは厚さ %1&#xa0;mm、体積 %2&#xa0;cm³ です</translation>
     </message>
     <message>
         <source>there is no room for foam between the frame and the cover</source>
@@ -5225,7 +5306,7 @@
     </message>
     <message>
         <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
-        <translation>フォームは %1 l、%3 kg/m³ で %2 kg です</translation>
+        <translation>フォームは %1&#xa0;l、%3&#xa0;kg/m³ で %2&#xa0;kg です</translation>
     </message>
     <message>
         <source>there are neither fixation curves nor seams</source>
@@ -5465,7 +5546,7 @@
     </message>
     <message>
         <source>99 % of its surface is within %1 mm</source>
-        <translation>面の 99 % が %1 mm 以内にあります</translation>
+        <translation>面の 99&#xa0;% が %1&#xa0;mm 以内にあります</translation>
     </message>
     <message>
         <source>it reaches beyond its piece: end it at the edge</source>
@@ -5477,7 +5558,7 @@
     </message>
     <message>
         <source>only %1 mm are left of the piece at the tip of a dart: make it shorter</source>
-        <translation>ダーツの先端でパーツが %1 mm しか残りません。ダーツを短くしてください</translation>
+        <translation>ダーツの先端でパーツが %1&#xa0;mm しか残りません。ダーツを短くしてください</translation>
     </message>
     <message>
         <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
@@ -5489,7 +5570,7 @@
     </message>
     <message>
         <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
-        <translation>%1: 裁断線が出来上がり線の %2 mm 外側にあり、縫い代の上限を超えています。そこは %3 mm にしました</translation>
+        <translation>%1: 裁断線が出来上がり線の %2&#xa0;mm 外側にあり、縫い代の上限を超えています。そこは %3&#xa0;mm にしました</translation>
     </message>
     <message>
         <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
@@ -5497,7 +5578,7 @@
     </message>
     <message>
         <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>カバーに位置合わせ、RMS %2 mm: %1 (点の %3 % が対応)</translation>
+        <translation>カバーに位置合わせ、RMS %2&#xa0;mm: %1 (点の %3&#xa0;% が対応)</translation>
     </message>
     <message>
         <source>The scan could not be placed: it is too far from the cover. Align it by three places, or cut away what does not belong to it.</source>
@@ -5505,7 +5586,7 @@
     </message>
     <message>
         <source>Align to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>位置合わせ、RMS %2 mm: %1 (点の %3 % が対応)</translation>
+        <translation>位置合わせ、RMS %2&#xa0;mm: %1 (点の %3&#xa0;% が対応)</translation>
     </message>
     <message>
         <source>Import the pattern of %1</source>
@@ -5513,11 +5594,11 @@
     </message>
     <message>
         <source>%1: a gap of %2 mm in its outline is closed by a straight line</source>
-        <translation>%1: 輪郭の %2 mm のすき間を直線で閉じました</translation>
+        <translation>%1: 輪郭の %2&#xa0;mm のすき間を直線で閉じました</translation>
     </message>
     <message>
         <source>%1: its cut line is drawn anew from its allowances, and differs from that of the file by up to %2 mm</source>
-        <translation>%1: 裁断線を縫い代から描き直しました。ファイルの裁断線との差は最大 %2 mm です</translation>
+        <translation>%1: 裁断線を縫い代から描き直しました。ファイルの裁断線との差は最大 %2&#xa0;mm です</translation>
     </message>
     <message>
         <source>the size &quot;%1&quot; of the page is in no unit that is known and is left out: check the size of the pieces</source>
@@ -5533,11 +5614,11 @@
     </message>
     <message>
         <source>one piece of less than 1 cm³ is left out</source>
-        <translation>1 cm³ 未満の 1 個を除外しました</translation>
+        <translation>1&#xa0;cm³ 未満の 1 個を除外しました</translation>
     </message>
     <message>
         <source>%1 pieces of less than 1 cm³ are left out</source>
-        <translation>1 cm³ 未満の %1 個を除外しました</translation>
+        <translation>1&#xa0;cm³ 未満の %1 個を除外しました</translation>
     </message>
     <message>
         <source>Change whether the cover fits %1</source>
@@ -5597,15 +5678,15 @@
     </message>
     <message>
         <source>The form has %1 triangles; %2 stand for it, which are up to %3 mm off</source>
-        <translation>形状の三角形は %1 個です。これを %2 個で代用し、誤差は最大 %3 mm です</translation>
+        <translation>形状の三角形は %1 個です。これを %2 個で代用し、誤差は最大 %3&#xa0;mm です</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 は形状から %2 mm 離れているため、これに沿って切りません</translation>
+        <translation>%1 は形状から %2&#xa0;mm 離れているため、これに沿って切りません</translation>
     </message>
     <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
-        <translation>%1 がパーツの内側の %2 で終わっています。そこはダーツのように切り込みます。次の線または境界まで %3 mm です。パーツを分けるにはそこまで延ばしてください</translation>
+        <translation>%1 がパーツの内側の %2 で終わっています。そこはダーツのように切り込みます。次の線または境界まで %3&#xa0;mm です。パーツを分けるにはそこまで延ばしてください</translation>
     </message>
     <message>
         <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
@@ -5637,39 +5718,39 @@
     </message>
     <message>
         <source>Make %1 longer by %3 mm where it is sewn to %2</source>
-        <translation>%2 に縫う所で %1 を %3 mm 長くする</translation>
+        <translation>%2 に縫う所で %1 を %3&#xa0;mm 長くする</translation>
     </message>
     <message>
         <source>Make %1 shorter by %3 mm where it is sewn to %2</source>
-        <translation>%2 に縫う所で %1 を %3 mm 短くする</translation>
+        <translation>%2 に縫う所で %1 を %3&#xa0;mm 短くする</translation>
     </message>
     <message>
         <source>Let out %1 at %2 by %3 mm</source>
-        <translation>%1 を %2 で %3 mm 出す</translation>
+        <translation>%1 を %2 で %3&#xa0;mm 出す</translation>
     </message>
     <message>
         <source>Take in %1 at %2 by %3 mm</source>
-        <translation>%1 を %2 で %3 mm 詰める</translation>
+        <translation>%1 を %2 で %3&#xa0;mm 詰める</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
-        <translation>%1 と %2 の縫い目を %2 側へ %3 mm 移動</translation>
+        <translation>%1 と %2 の縫い目を %2 側へ %3&#xa0;mm 移動</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %1</source>
-        <translation>%1 と %2 の縫い目を %1 側へ %3 mm 移動</translation>
+        <translation>%1 と %2 の縫い目を %1 側へ %3&#xa0;mm 移動</translation>
     </message>
     <message>
         <source>Let out the corner of %1 at %2 by %3 mm</source>
-        <translation>%1 の角を %2 で %3 mm 出す</translation>
+        <translation>%1 の角を %2 で %3&#xa0;mm 出す</translation>
     </message>
     <message>
         <source>Take in the corner of %1 at %2 by %3 mm</source>
-        <translation>%1 の角を %2 で %3 mm 詰める</translation>
+        <translation>%1 の角を %2 で %3&#xa0;mm 詰める</translation>
     </message>
     <message>
         <source>Cut a dart into %1 at %2, %3 mm wide and %4 mm deep</source>
-        <translation>%1 の %2 に幅 %3 mm、深さ %4 mm のダーツをとる</translation>
+        <translation>%1 の %2 に幅 %3&#xa0;mm、深さ %4&#xa0;mm のダーツをとる</translation>
     </message>
     <message>
         <source>Make the seam of %1 and %2 smooth</source>
@@ -5686,6 +5767,81 @@
     <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 には長さがないため、これに沿って切りません</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation>環境設定ファイルではありません。%1 文字目で途切れているか、誤りがあります。Bolster がエクスポートしたものを選んでください</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation>環境設定ファイルではありません。Bolster がエクスポートしたものを選んでください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation>「%1」は書かれている値にできません。その行をファイルから削除するか、エクスポートし直してください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation>ポータブル版 Bolster が設定と作業を保存する「%1」に書き込めません。フォルダーを書き込み可能な場所へコピーしてください</translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>中ボタン</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>右ボタン</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ドラッグ</translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation>2 本指の操作</translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation>ピンチまたは Ctrl+ホイール</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation>CAD (SolidWorks 風)</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>タッチパッド</translation>
     </message>
 </context>
 <context>
@@ -5873,11 +6029,11 @@
     </message>
     <message>
         <source>Print at 100 %</source>
-        <translation>100 % で印刷</translation>
+        <translation>100&#xa0;% で印刷</translation>
     </message>
     <message>
         <source>%1 – print at 100 %</source>
-        <translation>%1 – 100 % で印刷</translation>
+        <translation>%1 – 100&#xa0;% で印刷</translation>
     </message>
     <message>
         <source>Overview of %1 x %2 sheets</source>
@@ -5893,7 +6049,7 @@
     </message>
     <message>
         <source>100 mm: to measure, no part of the pattern</source>
-        <translation>100 mm: 確認用。型紙の一部ではありません</translation>
+        <translation>100&#xa0;mm: 確認用。型紙の一部ではありません</translation>
     </message>
     <message>
         <source>Sheet %1 (row %2 of %3, column %4 of %5)</source>
@@ -5917,10 +6073,6 @@
     <message>
         <source>Click to select the patch, drag to move it in the layout</source>
         <translation>クリックでパーツを選択、ドラッグでレイアウト上を移動</translation>
-    </message>
-    <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>クリックで選択、範囲のドラッグで複数選択。中ボタンか Space で表示を移動、ホイールでズーム</translation>
     </message>
     <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
@@ -5961,6 +6113,10 @@
     <message>
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>ラベルを読みやすい場所へドラッグ。クリックでパーツを選択</translation>
+    </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation>クリックで選択、範囲のドラッグで複数選択。%1か Space で表示を移動、%2でズーム</translation>
     </message>
 </context>
 <context>
@@ -6010,7 +6166,7 @@
     </message>
     <message>
         <source>Enter makes it this size: 300 x 200, 300 (wide, in proportion), or 120 %</source>
-        <translation>Enter でこのサイズにする: 300 x 200、300 (幅、比率保持)、120 %</translation>
+        <translation>Enter でこのサイズにする: 300 x 200、300 (幅、比率保持)、120&#xa0;%</translation>
     </message>
     <message>
         <source>Scaled to %1 × %2 – or type the size; Shift keeps the proportions, Esc takes it back</source>
@@ -6046,10 +6202,6 @@
         <translation>%1° 回転。Ctrl で 15° にスナップ、Esc でキャンセル</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>x %1、y %2、z %3 mm 移動。Ctrl で 10 mm にスナップ、Esc でキャンセル</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>ドラッグでこの軸に沿って移動</translation>
     </message>
@@ -6060,6 +6212,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>ドラッグで画面と平行に移動</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation>x %1、y %2、z %3 移動。Ctrl で %4 にスナップ、Esc でキャンセル</translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation>環境設定(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation>単位、言語、テーマ、マウス、キーなど</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation>ミリメートル (314 mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation>センチメートル (31.4 cm)</translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation>インチ (12 3/8″)</translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation>1/8 まで</translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation>1/16 まで</translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation>1/32 まで</translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation>1/64 まで</translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation>小数 (12.375)</translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation>言語に従う</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>コンマ (1,5)</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>ピリオド (1.5)</translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation>システムの言語</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>システムに従う</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>ハイコントラスト</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>低</translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation>無地 (既定)</translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation>単位と数値</translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation>言語と外観</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>キーボード</translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation>型紙ビュー</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D ビュー</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>未保存の作業</translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation>新しいデザイン</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>長さの単位</translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation>単位 寸法 メートル法 ヤードポンド法 ミリ センチ インチ</translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>長さの表示方法。どの設定でも、「3 in」「2.5 cm」「1&apos; 2 3/8&quot;」など他の単位で入力できます。デザイン、印刷物、ファイルは常にミリメートルです。</translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation>インチの分数</translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation>分数 ヤードポンド法 1/16 小数</translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation>最も近い分数で表示しますが、値は丸めません。分数で表せない短いものは小数で表示します。</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>小数点の記号</translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation>コンマ カンマ ピリオド 小数点 区切り 数値</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation>翻訳 文字 日本語 英語 ドイツ語 language english</translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation>次回の起動時から使われます。</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>テーマ</translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation>色 カラー ダーク ライト 明るい 暗い コントラスト 夜 外観 アクセシビリティ</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation>文字の大きさ</translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation>フォント 文字 大きい 小さい ズーム 拡大 アクセシビリティ</translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation>ビューの操作方法</translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation>ナビゲーション 回転 移動 パン ズーム ボタン トラックパッド オービット プリセット</translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation>ズームの方向を逆にする</translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation>反転 ホイール スクロール 逆 方向</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>キーの割り当て</translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation>ショートカット ホットキー プリセット</translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation>一部のコマンドが、そのソフトで使い慣れたキーになります。自分で選んだキーはそのままです。</translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation>点、辺、ガイド、グリッドにスナップ</translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation>吸着 マグネット 整列</translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation>ドラッグ中は Ctrl か Alt で解除できます。</translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation>ルーラーを表示</translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation>目盛り 定規 測定</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>ガイドを表示</translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation>線 補助線</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>表示品質</translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation>性能 パフォーマンス 遅い 速い リモートデスクトップ グラフィックス opengl</translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation>低: ピクセルと三角形を減らし、柔らかい影を省きます。遅いコンピューターやリモート画面向けです。エクスポートする画像の品質は変わりません。</translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation>アニメーションなしでビューを切り替える</translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation>視差効果 動きを減らす アニメーション カメラ アクセシビリティ リモート</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> 日</translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation>破棄した作業の保管期間</translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation>自動保存 バックアップ 復元 クラッシュ ジャーナル ごみ箱 未保存 削除</translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation>各ステップは完了するとすぐディスクに保存されるため、間隔の設定はありません。未保存の作業は、開き直すか破棄するまで残り、その後ごみ箱に少なくとも 30 日間保管されます。</translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation>新しいパーツの生地</translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation>既定 素材 材料 革 織物 色</translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation>新しいデザインはこの生地で始まり、パーツはデザインの最初の生地で作られます。</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>縫い代</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation>既定 裁断 余白 ヘム 幅</translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation>新しいデザインの初期値です。デザインごとの値はプロパティで変更します。</translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation>生地のフォルダー</translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation>ライブラリ ディレクトリ パス インポート エクスポート 画像 見本</translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation>生地とその画像を最初に探す場所。指定がなければデザインのフォルダーです。</translation>
     </message>
 </context>
 <context>
@@ -6258,7 +6728,7 @@
     </message>
     <message>
         <source>Median, 95 %</source>
-        <translation>中央値、95 %</translation>
+        <translation>中央値、95&#xa0;%</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -6310,7 +6780,7 @@
     </message>
     <message>
         <source>Half of what is measured, and 95 % of it, is no farther from the scan than that.</source>
-        <translation>測定した所の半分と 95 % が、スキャンからこの距離以内にあります。</translation>
+        <translation>測定した所の半分と 95&#xa0;% が、スキャンからこの距離以内にあります。</translation>
     </message>
     <message>
         <source>How much of the cover has points of the scan near it.</source>
@@ -6412,7 +6882,7 @@
     </message>
     <message>
         <source>%1, %2 m² in all</source>
-        <translation>%1 個、計 %2 m²</translation>
+        <translation>%1 個、計 %2&#xa0;m²</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -6420,7 +6890,7 @@
     </message>
     <message>
         <source>%1, %2 m in all</source>
-        <translation>%1 本、計 %2 m</translation>
+        <translation>%1 本、計 %2&#xa0;m</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -6541,11 +7011,11 @@
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1 × %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 m²</source>
-        <translation>%1 m²</translation>
+        <translation>%1&#xa0;m²</translation>
     </message>
     <message>
         <source>Piece</source>
@@ -6573,11 +7043,11 @@
     </message>
     <message>
         <source>%1 mm long, %2 mm from the seam</source>
-        <translation>ステッチ長さ %1 mm、縫い目から %2 mm</translation>
+        <translation>ステッチ長さ %1&#xa0;mm、縫い目から %2&#xa0;mm</translation>
     </message>
     <message>
         <source>piping, %1 mm thick</source>
-        <translation>パイピング、太さ %1 mm</translation>
+        <translation>パイピング、太さ %1&#xa0;mm</translation>
     </message>
     <message>
         <source>plain</source>
@@ -6617,7 +7087,7 @@
     </message>
     <message>
         <source>%1 m², without what lies between the pieces</source>
-        <translation>%1 m²、パーツ間を除く</translation>
+        <translation>%1&#xa0;m²、パーツ間を除く</translation>
     </message>
     <message>
         <source>Sewing thread</source>
@@ -6625,11 +7095,11 @@
     </message>
     <message>
         <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
-        <translation>ステッチ糸 &lt;span style=&quot;background-color:%1&quot;&gt;    &lt;/span&gt; %1</translation>
+        <translation>ステッチ糸 &lt;span style=&quot;background-color:%1&quot;&gt;&#xa0;&#xa0;&#xa0;&#xa0;&lt;/span&gt; %1</translation>
     </message>
     <message>
         <source>%1 m, at %2 m for each metre of a row</source>
-        <translation>%1 m、1 列 1 m あたり %2 m</translation>
+        <translation>%1&#xa0;m、1 列 1&#xa0;m あたり %2&#xa0;m</translation>
     </message>
     <message>
         <source>Piping</source>
@@ -6637,7 +7107,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>What</source>
@@ -6720,6 +7190,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>スタートページ(&amp;G)</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>新しいウィンドウ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation>別のウィンドウを開けませんでした。</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation>システムがプログラムをもう一度起動できませんでした。他のプログラムをいくつか閉じて、やり直してください。</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation>問題を報告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation>新機能(&amp;N)</translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation>Bolster %1 です。新機能は「ヘルプ &gt; 新機能」にあります。</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>表示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation>フレームが 3D ビューにあります。生地を固定する曲線をその上に描くか、最初のパーツを描いてください。</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation>固定曲線を描く(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation>長方形を描く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation>形状の型紙…</translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6751,6 +7272,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>数値(&amp;F)…</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>裁断(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation>各パーツが全周で大きめ、または小さめに裁断される量</translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation>%1 の裁断</translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation>縫い目(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation>各縫い目が両側で内側、または外側に縫われる量</translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation>縫い目 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation>フォーム(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation>各クッションとフォームが厚く、または薄くなる量</translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation>%1 の厚さ</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation>固定(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation>各固定曲線が各軸方向にずれる量</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>%1 の位置</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation>剛性(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation>各生地が硬く、または軟らかくなる割合</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>%1 の剛性</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation>縮み(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation>各パーツが縮む、または伸びる割合</translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation>%1 の縮み</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation>クッション</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>ボルスター</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>ベンチ</translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation>ダイニングチェア</translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation>ウイングチェア</translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation>カーシート</translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation>ヘッドレスト</translation>
     </message>
 </context>
 <context>
@@ -6830,6 +7457,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>ダーツを描く(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>ツアー(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation>フレーム上の曲線をドラッグ</translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation>フレーム上の色付きの曲線は、生地を固定する所です。1 本をクリックし、その点をドラッグしてください。カバーが追従します。</translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation>カバーはドラッグに追従し、離すと静止します。</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation>Ctrl+Z かこのボタンで、行った操作をどこまでも元に戻せます。何も失われません。元に戻した操作も履歴に残ります。</translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation>元の状態です。元に戻したステップも履歴に残っています。</translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation>縫い目を選択</translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation>縫い目は型紙の 2 つの辺をつなぎます。型紙かカバー上で 1 本クリックしてください。両方の辺が光り、カバーに位置が表示されます。</translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation>右側にプロパティが表示されています。</translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation>縫い方を変更</translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation>縫い目を選択したまま、プロパティで別の連続性 (角あり、丸める、滑らか) か別のステッチを選んでください。</translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation>カバーに、縫い上がりの縫い目が表示されます。</translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation>ひずみを見る</translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation>「表示 &gt; マップ」は、生地への負担に応じてカバーに色を付けます。「最大ひずみ」を選ぶと、最も伸びている所がわかります。</translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation>凡例で大きさがわかり、ポインターで任意の場所の値を読めます。</translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation>型紙を変更</translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>輪郭の点をドラッグするか、ダーツをとってください (型紙 &gt; ダーツを描く)。平面での変更がすぐに縫われます。</translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation>輪郭が変わっても、縫い目の位置は保たれます。</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation>「ファイル &gt; 型紙をエクスポート」は、縫い代とノッチ付きの DXF、PDF、SVG を書き出します。「カバーをエクスポート」は、他の人向けにカバーを書き出します。</translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation>ファイルを書き出しました。</translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation>ツアーは終わりです</translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation>型紙、縫い目、フレームからカバーができるまでを見ました。次は自分のデザインを始めましょう。テンプレートは「ファイル &gt; スタートページ」に、キーの働きは「ヘルプ &gt; キーとマウス」にあります。</translation>
     </message>
 </context>
 <context>
@@ -6951,11 +7677,7 @@
     <name>Units</name>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6963,7 +7685,19 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7073,7 +7807,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Frames and foam</source>
@@ -7090,6 +7824,32 @@
     <message>
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>非表示にするパーツ、曲線、フレーム、フォームまたはスキャンを選択してください。</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>ハイコントラスト(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation>ビューを印刷</translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation>ビューを印刷できませんでした。</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation>プリンターが現在受け付けていません。電源と用紙を確認するか、ファイルに印刷してください。</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation>新機能</translation>
     </message>
 </context>
 <context>
@@ -7119,6 +7879,115 @@
     <message>
         <source>Drawn in software</source>
         <translation>ソフトウェア描画</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation>原因は?</translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation>実物のスキャン</translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation>良品のスキャン</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation>正しくできた実物のスキャン。良品でもカバーとずれている所では、原因を探しません</translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation>実物のスキャン(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation>良品のスキャン(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation>原因を探す(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation>原因を探しています…</translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation>実物とカバーの差を最もよく説明する原因を 1 つ示します。フォーム、縫い目の縫い代、パーツの伸び、固定のずれ、ノッチのずれを調べます。</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>説明率</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>確率</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation>実物のスキャンを選んでください。</translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation>各原因でのカバーを計算しています…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>停止しました。</translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation>スキャンにカバーが写っていません。デザインと同じ位置にありますか?</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation>スキャンはカバーの %1 を捉え、差は %2 (RMS) です。すべての原因を合わせると、残りは %3 です。</translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation>単独でノイズよりよく説明できる原因はありません。</translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation>偏差の大部分は、これらの種類の原因では説明できないため、先頭のものが正しいとは限りません。良品のスキャンも指定してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation>
+            <numerusform>他 %n 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation>スキャンでは次と区別できません: %1</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>その間にデザインが変わりました。探し直してください。</translation>
     </message>
 </context>
 <context>
@@ -7216,10 +8085,6 @@
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>x %1、y %2、z %3 mm 移動</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>軸に固定中。同じキーで解除</translation>
     </message>
@@ -7234,6 +8099,10 @@
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X、Y、Z または Shift で軸に固定、S でフレームに固定、Ctrl で離す、Esc でキャンセル</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation>x %1、y %2、z %3 移動</translation>
     </message>
 </context>
 <context>
@@ -7301,6 +8170,29 @@
     </message>
 </context>
 <context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation>「%1」を開けません。</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation>システムが別のウィンドウ用にプログラムをもう一度起動できませんでした。代わりにここから開いてください。</translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation>フォルダーです。中のファイルをドロップしてください。</translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation>このコンピューターにないか、もうありません。先にフォルダーに保存してください。</translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation>Bolster で開けるのは、プロジェクトとデザイン (%1)、フレーム (%2)、スキャン (%3)、型紙 (%4)、生地の画像 (%5) です。元のプログラムで、これらの形式のいずれかで保存してください。</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsModel</name>
     <message>
         <source>Hidden in the 3D view</source>
@@ -7312,6 +8204,10 @@
     <message>
         <source>Find an element</source>
         <translation>要素を検索</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>要素</translation>
     </message>
 </context>
 <context>
@@ -7354,7 +8250,7 @@
     </message>
     <message>
         <source>Roll, %1 mm wide</source>
-        <translation>ロール、幅 %1 mm</translation>
+        <translation>ロール、幅 %1&#xa0;mm</translation>
     </message>
     <message>
         <source>&amp;Landscape</source>
@@ -7417,12 +8313,6 @@
         <translation>ドリル穴(&amp;D)</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>パーツ %n 個、%1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n ページ</numerusform>
@@ -7461,6 +8351,12 @@
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
         <translation>ダブルクリックでこのウィンドウを離れ、場所を表示します。一覧全体は「裁断前チェック」パネルにあります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation>
+            <numerusform>パーツ %n 個、%1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7669,15 +8565,15 @@
         <source>turned by %1</source>
         <translation>%1 回転</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n 点、%1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1、%2 から %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation>
+            <numerusform>%n 点、%1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8003,10 +8899,6 @@
         <translation>復旧した内容を開く(&amp;R)</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>読み取れる内容は新しいプロジェクトに入ります。不要なものは、ごみ箱に入れて 30 日後に削除されます。</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>ごみ箱に入れる(&amp;B)</translation>
     </message>
@@ -8110,6 +9002,12 @@
         <source>The pattern is imported. What is otherwise than in the file:</source>
         <translation>型紙をインポートしました。ファイルとの相違点:</translation>
     </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>読み取れる内容は新しいプロジェクトに入ります。不要なものは、ごみ箱に入れて %n 日後に削除されます。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -8162,16 +9060,8 @@
         <translation>幅、奥行、高さ</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>家具としては通常でない大きさです。単位を確認してください。</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>ファイルには %1 点あります。カバーを合わせるのに必要な数を超えるため、%2 mm ごとに 1 点に間引きました。</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8244,8 +9134,12 @@
         <translation>位置と回転を保持(&amp;K)</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>元の大きさ %1 mm が %2 mm になります。単位を確認してください。</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation>ファイルには %1 点あります。カバーを合わせるには多すぎるため、%2 ごとに 1 点に間引きました。</translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation>大きさが %1 から %2 になります。単位を確認してください。</translation>
     </message>
 </context>
 <context>
@@ -8253,6 +9147,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>展開したパーツ</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>ファイル…</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>メッシュとスキャン (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -8411,6 +9316,10 @@
         <source>Find a change or a version</source>
         <translation>変更またはバージョンを検索</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
 </context>
 <context>
     <name>bolster::HistoryView</name>
@@ -8486,10 +9395,6 @@
         <translation>ファイルに両方の線がある場合に、パーツの輪郭とする線。</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>端の間隔がこれ以下の輪郭を直線で閉じます。</translation>
     </message>
@@ -8519,19 +9424,11 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8543,12 +9440,6 @@
         <source>, %n times</source>
         <translation>
             <numerusform>、%n 枚</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n 本の輪郭が開いています。端の間隔は最大 %1 mm です。輪郭であれば、すき間をそこまで閉じてください。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8585,6 +9476,27 @@
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
         <translation>%1 にはパーツが %2 個あります。一度にインポートできるのは %3 個までなので、最初のものを選びました。</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n 本の輪郭が開いています。端の間隔は最大 %1 です。輪郭であれば、すき間をそこまで閉じてください。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation>実行中の処理はありません。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8595,14 +9507,6 @@
     <message>
         <source>Messages</source>
         <translation>メッセージ</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8633,6 +9537,65 @@
         <translation>
             <numerusform>型紙に %n 個のパーツがあります。「縫い目 &gt; 縫い目を提案」で組み合わせを探せます。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation>Bolster はまだ処理中です。</translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation>今閉じると、処理は完了しません。書き出し中のファイルは元のままです。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>停止して閉じる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>マニュアル</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>戻る (Alt+左)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>進む (Alt+右)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>進む</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>すべてのページを検索</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>マニュアルに「%1」というページはありません。</translation>
     </message>
 </context>
 <context>
@@ -9106,10 +10069,6 @@
         <translation>角の角度(&amp;G)</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>No point &amp;moves farther than</source>
         <translation>点の移動の上限(&amp;M)</translation>
     </message>
@@ -9134,16 +10093,8 @@
         <translation>適用量(&amp;H)</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>ファイル…</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>カバーを沿わせる形状</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>メッシュとスキャン (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9160,10 +10111,6 @@
     <message>
         <source>Stopped; nothing has changed.</source>
         <translation>停止しました。何も変更されていません。</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>停止(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9183,7 +10130,7 @@
     </message>
     <message>
         <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>形状との差: 変更前 %1、現在 %2 (RMS)。変更前 %3、現在 %4 (95 %)</translation>
+        <translation>形状との差: 変更前 %1、現在 %2 (RMS)。変更前 %3、現在 %4 (95&#xa0;%)</translation>
     </message>
     <message>
         <source>Over the limit: %1 of the cover before, %2 now</source>
@@ -9223,6 +10170,66 @@
         <source>With all of the changes:</source>
         <translation>すべての変更を適用した場合:</translation>
     </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation>型紙を合わせています…</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>選択したパーツにしわなし(&amp;N)</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>生地が押し縮められないようにします。選択なし: すべて</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>選択した縫い目を沿わせる曲線(&amp;U)</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>フレームまたは形状に描いた曲線。何も固定していなくてもかまいません</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>面積の割合</translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation>選択したパーツの面積の割合(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>100 % 未満: 小さくなります</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>曲線に沿わせる縫い目を選択してください。</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>大きく、または小さくするパーツを選択してください。</translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation>型紙を変更しています…</translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation>押し縮め: 変更前 %1、現在 %2</translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation>曲線との差: 変更前 %1、現在 %2 (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation>目標の面積との差: 変更前 %1、現在 %2</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -9233,6 +10240,237 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>右へドラッグで垂直ガイドを追加。目盛りの印で水平ガイドを移動、外へドラッグで削除。</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation>環境設定 (*.json)</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>該当する設定はありません。</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>環境設定</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>設定を検索</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation>個々のショートカットを編集(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation>既定値に戻す(&amp;D)</translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation>このページのすべての設定</translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation>エクスポート(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>インポート(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation>環境設定をエクスポート</translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation>Bolster 環境設定.json</translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation>環境設定をインポート</translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation>環境設定をエクスポートできませんでした。</translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation>「%1」から何もインポートされませんでした。すべての設定は元のままです。</translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation>環境設定をインポートしました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation>
+            <numerusform>このバージョンの Bolster が認識できない設定 %n 件: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>表示を移動</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>ズーム</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>3D ビュー上</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>型紙上</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1: 意味と対処方法</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation>ひずみを緩和</translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation>変更を探す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation>ひずみを緩和する変更を探しています…</translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation>生地のひずみや押し縮めが許容を超える所で型紙の変更を試し、最も良いものを計算します。</translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation>変更の提案</translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation>ひずみの上限(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation>オフの場合は生地の限界を使います</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>ひずみの限界</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation>辺の移動の上限(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation>変更を試しています…</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>停止しました。何も変更されていません。</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation>限界を超えるひずみはありません。</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation>カバーの %1 が限界を超えています。緩和できる変更はありません。</translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>それぞれ単独で計算しています。「実行」は 1 ステップで、元に戻せます。</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>現在の状態</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation>カバーの %1 が限界を超えています。</translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation>限界超過のひずみ: %1 減</translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation>限界超過のひずみ: %1 増</translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation>カバーの限界超過部分: %1 減</translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation>カバーの限界超過部分: %1 増</translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation>縫う長さ: %1 増</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation>縫い目の両側の差: %1 増</translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation>輪郭の変化: %1</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>場所を表示</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation>実行: %1</translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation>実行しました。元に戻せます。今有効な変更は、もう一度探すとわかります。</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>その間にデザインが変わりました。探し直してください。</translation>
     </message>
 </context>
 <context>
@@ -9405,6 +10643,96 @@
         <source>Open its folder</source>
         <translation>フォルダーを開く</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation>%1 を描画しています…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>問題を報告</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation>何をして、何が起き、本来どうなるはずでしたか?</translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation>起きたこと(&amp;W):</translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation>デザイン (「%1」) を添付 (フレーム、スキャン、画像を除く)(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation>報告のその他の内容(&amp;R):</translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>報告を書き出す…</translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation>サポートできる人に渡せるファイルを書き出します。Bolster は何も送信しません。</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>まだ不明</translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation>今回の実行のメッセージ:</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(なし)</translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation>前回のクラッシュ:</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>報告を書き出す</translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation>ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation>報告を書き出しました: %1</translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>報告を書き出せませんでした: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ScanLink</name>
@@ -9460,12 +10788,8 @@
         <translation>対になる辺を探しています…</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 と %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>There are no free edges that seem to belong together.</source>
@@ -9481,7 +10805,11 @@
     </message>
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
-        <translation>50 % 以上のもの。縫うと、隣の辺の相手がわかります。</translation>
+        <translation>50&#xa0;% 以上のもの。縫うと、隣の辺の相手がわかります。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 と %2</translation>
     </message>
 </context>
 <context>
@@ -9496,7 +10824,7 @@
     </message>
     <message>
         <source>More than 5 % ease puckers.</source>
-        <translation>いせが 5 % を超えるとしわになります。</translation>
+        <translation>いせが 5&#xa0;% を超えるとしわになります。</translation>
     </message>
     <message>
         <source>Seam</source>
@@ -9564,7 +10892,7 @@
     </message>
     <message>
         <source>The ease over the shorter side; more than 5 % puckers</source>
-        <translation>短い側に対するいせの割合。5 % を超えるとしわになります</translation>
+        <translation>短い側に対するいせの割合。5&#xa0;% を超えるとしわになります</translation>
     </message>
 </context>
 <context>
@@ -9572,6 +10900,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>縫い目はまだありません。縫うツール (W) を選び、縫い合わせる 2 つの辺をクリックしてください。</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>縫い目</translation>
     </message>
 </context>
 <context>
@@ -9733,6 +11065,10 @@
         <source>%1 it is.</source>
         <translation>%1 にしました。</translation>
     </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
@@ -9855,6 +11191,101 @@
     </message>
 </context>
 <context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>スタートページ</translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation>Bolster へようこそ</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>ツアーを始める</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>開く…</translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation>デザインに戻る</translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation>何がありますか?</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation>カバーを固定します: %1</translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation>型紙</translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation>パーツがカバーになります: %1</translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation>カバーを合わせます: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation>最初のパーツとして長方形を描く</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>続きから始める</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>一覧を消去</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation>この一覧から除く (ファイルは残ります)</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>未保存の作業</translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation>後のために保管、最終編集 %1</translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation>クラッシュで残ったもの、最終編集 %1</translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation>テンプレートから始める</translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation>サンプルを見る</translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation>現在その場所にありません</translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
@@ -9917,13 +11348,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
         <translation>計算が終わるまで生地が動き続けました。主な原因:
 • 固定されていないパーツ: 辺を固定するか、縫い付けてください。
 • 両側の長さが大きく異なる縫い目: 長さを近づけてください。
 • 非常に長い、または狭いパーツ: 分割するか、幅を広げてください。
-• 高い圧力: デザインのプロパティで下げてください。
+• 高い圧力: パーツのプロパティで下げてください。
 表示は終了時点の生地の状態です。</translation>
     </message>
     <message>
@@ -9940,10 +11371,172 @@ What you see is where the cloth was at the end.</source>
     </message>
 </context>
 <context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation>個体を抽出(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation>公差内の個体を計算しています…</translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation>公差内で個体を無作為に抽出します。カバーのどこがばらつき、どの公差が影響し、いくつの個体が限界を超えるでしょうか。</translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation>個体の 95 % が超えない値をカバーに表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>分散の割合</translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation>最大移動量</translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation>影響の大きい順の公差</translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation>公差 (±)、0: なし</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>個体</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation>範囲内のどの値も同じ確率</translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation>正規分布: 公差は標準偏差の 3 倍</translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation>その前に線形近似で 1 万個を抽出します。数秒で済みます</translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation>カバーの 5 % 超が本来の位置からこの値より離れている個体を、限界超過とします</translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation>抽出方法(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation>計算する数(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>限界(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation>ばらつくものがありません。デザインにあるものに 0 より大きい公差を指定してください。</translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation>各公差でのカバーを計算しています…</translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation>停止しました。表示は線形近似によるものです。</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>停止しました。</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation>個体の 95 % は %1 (カバー全体の RMS) 以内、最大の所で %2 以内です。</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation>限界超過: 個体の %1。</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation>これは線形近似です。個体を計算しています…</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation>これは線形近似です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation>
+            <numerusform>計算した個体 %n 個による結果です。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation>
+            <numerusform>%n 個の個体には、同じ三角形で静止したカバーがありません。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation>個体の 95 % が超えない値</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation>その間にデザインが変わりました。個体を抽出し直してください。</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>実行できず、何も変更されませんでした: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>ツアーを終了</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation>「ヘルプ &gt; ツアー」で続きから再開できます</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation>ツアー、%1/%2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
     </message>
 </context>
 <context>

@@ -160,6 +160,33 @@
     </message>
 </context>
 <context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Pianka jest grubsza lub cieńsza</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Pianka jest twardsza lub miększa</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Naddatek szwu</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Element jest większy lub mniejszy</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Mocowanie leży gdzie indziej</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Szew jest zszyty z przesunięciem</translation>
+    </message>
+</context>
+<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -231,16 +258,16 @@
         <translation>Kliknij, aby zaznaczyć element; przeciągnij, aby obrócić widok</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>Kliknięcie zaznacza, przeciąganie obraca – Shift+środkowy przycisk przesuwa, kółko powiększa</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>Kliknij, aby zaznaczyć krzywą; dwukrotne kliknięcie dodaje tu punkt kontrolny</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>Kliknij, aby zaznaczyć to, co tu jest; przeciągnij, aby obrócić widok</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation>Kliknięcie zaznacza, przeciąganie obraca – %1 przesuwa, %2 powiększa</translation>
     </message>
 </context>
 <context>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>Kontrola przed krojeniem</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Zadania</translation>
     </message>
 </context>
 <context>
@@ -1118,7 +1149,7 @@
     </message>
     <message>
         <source>Checker, 20 mm</source>
-        <translation>Szachownica, 20 mm</translation>
+        <translation>Szachownica, 20&#xa0;mm</translation>
     </message>
     <message>
         <source>Plain</source>
@@ -1804,7 +1835,7 @@
     </message>
     <message>
         <source>10 mm</source>
-        <translation>10 mm</translation>
+        <translation>10&#xa0;mm</translation>
     </message>
     <message>
         <source>Automatic notches</source>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>Eksportuj bryłę &amp;pianki…</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation>Drukuj widok…</translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2067,16 +2102,16 @@
         <translation>Kliknij lub wpisz następny punkt, Enter kończy, C zamyka – B prostuje, Backspace cofa punkt</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>Kliknij lub wpisz następny punkt, Enter kończy, C zamyka – prosto od punktu do punktu, cokolwiek jest pomiędzy: B wygładza po powierzchni, Backspace cofa punkt</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>&amp;Zamknij krzywą</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>„%1”: do %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>„%1”: ponad %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2129,8 +2156,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>„%1”: jej krawędź jest oddalona do %2 mm</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation>„%1”: krawędź oddalona do %2</translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation>„%1”: do %2</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation>„%1”: ponad %2</translation>
     </message>
 </context>
 <context>
@@ -2217,10 +2252,6 @@
     <message>
         <source>Mesh</source>
         <translation>Siatka</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>Piece %1: %2</source>
@@ -2336,10 +2367,6 @@
         <translation>Dodaj punkt kontrolny</translation>
     </message>
     <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>Przesuń o 1 mm, o 10 mm</translation>
-    </message>
-    <message>
         <source>arrow keys, Shift+arrow keys</source>
         <translation>strzałki, Shift+strzałki</translation>
     </message>
@@ -2348,28 +2375,12 @@
         <translation>Przesuń widok</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>środkowy przycisk lub spacja i przeciąganie</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Powiększ</translation>
     </message>
     <message>
-        <source>wheel</source>
-        <translation>kółko</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Obróć widok</translation>
-    </message>
-    <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>środkowy przycisk lub przeciąganie obok pokrowca</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Shift i środkowy przycisk</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -2405,7 +2416,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Patches, seams</source>
@@ -2453,7 +2464,7 @@
     </message>
     <message>
         <source>%1 m², %2 m²</source>
-        <translation>%1 m², %2 m²</translation>
+        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
     </message>
     <message>
         <source>Turned triangles</source>
@@ -2615,6 +2626,18 @@
         <source>right button, without a drag</source>
         <translation>prawy przycisk, bez przeciągania</translation>
     </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation>Przesuń o %1, o %2</translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation>%1 lub spacja i przeciąganie</translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation>%1 lub przeciąganie obok pokrowca</translation>
+    </message>
 </context>
 <context>
     <name>Insert</name>
@@ -2627,8 +2650,8 @@
         <translation>Pianka</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>Ten stelaż jest duży: jego najmniejszy szczegół ustawiono na %1 mm; zwykłe %2 mm wymagałoby zbyt dużo pamięci.</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation>Ten stelaż jest duży: jego najmniejszy szczegół ustawiono na %1; zwykłe %2 wymagałoby zbyt dużo pamięci.</translation>
     </message>
 </context>
 <context>
@@ -2697,6 +2720,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>Zmienia wykrój, aż pokrowiec legnie na skanie lub będzie mniej odkształcony</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation>Zmniejsz odkształcenia…</translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation>Proponuje zmiany wykroju tam, gdzie materiał jest zbyt odkształcony, i podaje zysk każdej z nich</translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation>Dlaczego tak jest?…</translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation>Która przyczyna najlepiej wyjaśnia odległość skanu wykonanej sztuki od pokrowca</translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation>Tolerancje…</translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation>Gdzie pokrowiec różni się między sztukami i która tolerancja wykonania ma znaczenie</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2837,6 +2899,25 @@
     </message>
 </context>
 <context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Podręcznik</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>Strona o tym, co teraz robisz</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>Podręcznik nie jest zainstalowany.</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>To folder „manual” obok innych plików programu.</translation>
+    </message>
+</context>
+<context>
     <name>MapCommands</name>
     <message>
         <source>&amp;Map</source>
@@ -2941,7 +3022,7 @@
     </message>
     <message>
         <source>point %1 is no number or beyond 1e7 mm</source>
-        <translation>punkt %1 nie jest liczbą lub wykracza poza 1e7 mm</translation>
+        <translation>punkt %1 nie jest liczbą lub wykracza poza 1e7&#xa0;mm</translation>
     </message>
     <message>
         <source>corners belong to closed curves of degree 3 only</source>
@@ -3017,7 +3098,7 @@
     </message>
     <message>
         <source>the text is larger than %1 MB; that is no design</source>
-        <translation>tekst ma ponad %1 MB; to nie jest model</translation>
+        <translation>tekst ma ponad %1&#xa0;MB; to nie jest model</translation>
     </message>
     <message>
         <source>knot %1 occurs more often than %2 times, the degree; remove the surplus ones</source>
@@ -3061,7 +3142,7 @@
     </message>
     <message>
         <source>%1: the point is not finite, or beyond 10,000,000</source>
-        <translation>%1: punkt nie jest skończony lub wykracza poza 10 000 000</translation>
+        <translation>%1: punkt nie jest skończony lub wykracza poza 10&#xa0;000&#xa0;000</translation>
     </message>
     <message>
         <source>%1: a face refers to point %2, but there are %3 points</source>
@@ -3185,7 +3266,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is too large: %2 MB, and at most %3 MB are read</source>
-        <translation>„%1” jest za duży: ma %2 MB, a odczytywane jest najwyżej %3 MB</translation>
+        <translation>„%1” jest za duży: ma %2&#xa0;MB, a odczytywane jest najwyżej %3&#xa0;MB</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is write-protected</source>
@@ -3205,11 +3286,11 @@
     </message>
     <message>
         <source>%1 and %2 hold the same point of the cover in two places, %3 mm apart. Let both curves meet there, or end one stretch earlier.</source>
-        <translation>%1 i %2 trzymają ten sam punkt pokrowca w dwóch miejscach odległych o %3 mm. Niech obie krzywe się tam spotkają lub jeden odcinek skończy się wcześniej.</translation>
+        <translation>%1 i %2 trzymają ten sam punkt pokrowca w dwóch miejscach odległych o %3&#xa0;mm. Niech obie krzywe się tam spotkają lub jeden odcinek skończy się wcześniej.</translation>
     </message>
     <message>
         <source>the patch is too narrow somewhere for edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>element jest gdzieś za wąski na krawędzie %1 mm. Wybierz mniejszą długość krawędzi.</translation>
+        <translation>element jest gdzieś za wąski na krawędzie %1&#xa0;mm. Wybierz mniejszą długość krawędzi.</translation>
     </message>
     <message>
         <source>The design cannot be solved: %2</source>
@@ -3225,7 +3306,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by an estimated %2 mm. Allow more iterations.</source>
-        <translation>Po iteracjach w liczbie %1 powierzchnia nadal przesuwa się o około %2 mm. Dopuść więcej iteracji.</translation>
+        <translation>Po iteracjach w liczbie %1 powierzchnia nadal przesuwa się o około %2&#xa0;mm. Dopuść więcej iteracji.</translation>
     </message>
     <message>
         <source>Remove %1 points</source>
@@ -3501,7 +3582,7 @@
     </message>
     <message>
         <source>an edge length of %1 mm is used instead</source>
-        <translation>zamiast tego użyto długości krawędzi %1 mm</translation>
+        <translation>zamiast tego użyto długości krawędzi %1&#xa0;mm</translation>
     </message>
     <message>
         <source>the file is not a design</source>
@@ -3545,7 +3626,7 @@
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
-        <translation>%1 mm dałoby ponad 5 milionów trójkątów; dla tych elementów weź co najmniej %2 mm</translation>
+        <translation>%1&#xa0;mm dałoby ponad 5 milionów trójkątów; dla tych elementów weź co najmniej %2&#xa0;mm</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
@@ -3553,7 +3634,7 @@
     </message>
     <message>
         <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
-        <translation>siatka nie odda tak małych fałd, jakie daje długość zginania %1 mm: przy krawędziach %2 mm działa ona jak %3 mm; weź długość krawędzi najwyżej %4 mm lub większą długość zginania</translation>
+        <translation>siatka nie odda tak małych fałd, jakie daje długość zginania %1&#xa0;mm: przy krawędziach %2&#xa0;mm działa ona jak %3&#xa0;mm; weź długość krawędzi najwyżej %4&#xa0;mm lub większą długość zginania</translation>
     </message>
     <message>
         <source>an outline must be a closed curve</source>
@@ -3601,7 +3682,7 @@
     </message>
     <message>
         <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
-        <translation>strony szwu mają długość %1 mm („%2”) i %3 mm („%4”): wdanie %5%, powyżej 5% szew się marszczy; zrównaj je lub sprawdź końce odcinków</translation>
+        <translation>strony szwu mają długość %1&#xa0;mm („%2”) i %3&#xa0;mm („%4”): wdanie %5%, powyżej 5% szew się marszczy; zrównaj je lub sprawdź końce odcinków</translation>
     </message>
     <message>
         <source>the curve has no length; move its points apart</source>
@@ -3637,11 +3718,11 @@
     </message>
     <message>
         <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
-        <translation>wynosi %1, a musi być dodatnią długością, najwyżej %2; zwykle 12 mm</translation>
+        <translation>wynosi %1, a musi być dodatnią długością, najwyżej %2; zwykle 12&#xa0;mm</translation>
     </message>
     <message>
         <source>no mesh can resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take a longer bending length</source>
-        <translation>żadna siatka nie odda tak małych fałd, jakie daje długość zginania %1 mm: przy krawędziach %2 mm działa ona jak %3 mm; weź większą długość zginania</translation>
+        <translation>żadna siatka nie odda tak małych fałd, jakie daje długość zginania %1&#xa0;mm: przy krawędziach %2&#xa0;mm działa ona jak %3&#xa0;mm; weź większą długość zginania</translation>
     </message>
     <message>
         <source>it sews what %1 sews already; remove one of them</source>
@@ -3665,7 +3746,7 @@
     </message>
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
-        <translation>Po iteracjach w liczbie %1 powierzchnia w każdej nadal przesuwa się o %2 mm: nie stabilizuje się. Zmniejsz ciśnienie lub zrób krzywe tak długie jak kontury, które trzymają.</translation>
+        <translation>Po iteracjach w liczbie %1 powierzchnia w każdej nadal przesuwa się o %2&#xa0;mm: nie stabilizuje się. Zmniejsz ciśnienie lub zrób krzywe tak długie jak kontury, które trzymają.</translation>
     </message>
     <message>
         <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
@@ -3721,7 +3802,7 @@
     </message>
     <message>
         <source>a width of %1 mm is too narrow for edges of %2 mm; make it at least %3 mm wide, or choose a smaller edge length</source>
-        <translation>szerokość %1 mm jest za mała na krawędzie %2 mm; ustaw co najmniej %3 mm lub wybierz mniejszą długość krawędzi</translation>
+        <translation>szerokość %1&#xa0;mm jest za mała na krawędzie %2&#xa0;mm; ustaw co najmniej %3&#xa0;mm lub wybierz mniejszą długość krawędzi</translation>
     </message>
     <message>
         <source>it lies outside its patch; move its points inside the outline</source>
@@ -3737,7 +3818,7 @@
     </message>
     <message>
         <source>it bends too sharply for a width of %1 mm near %2; make it narrower, or bend it less there</source>
-        <translation>zbyt ostro zakręca przy szerokości %1 mm w pobliżu %2; zwęź lub zmniejsz tam zagięcie</translation>
+        <translation>zbyt ostro zakręca przy szerokości %1&#xa0;mm w pobliżu %2; zwęź lub zmniejsz tam zagięcie</translation>
     </message>
     <message>
         <source>a cushion takes at most %1 bodies of foam; this one is left out</source>
@@ -3749,7 +3830,7 @@
     </message>
     <message>
         <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
-        <translation>ma tylko %1 mm długości; narysuj co najmniej %2 mm lub wybierz mniejszą długość krawędzi</translation>
+        <translation>ma tylko %1&#xa0;mm długości; narysuj co najmniej %2&#xa0;mm lub wybierz mniejszą długość krawędzi</translation>
     </message>
     <message>
         <source>it reaches beyond its patch near %1; move its points inside the outline</source>
@@ -3757,19 +3838,19 @@
     </message>
     <message>
         <source>it comes closer than %1 mm to the outline near %2; keep away from it, or choose a smaller edge length</source>
-        <translation>zbliża się do konturu na mniej niż %1 mm w pobliżu %2; zachowaj odstęp lub wybierz mniejszą długość krawędzi</translation>
+        <translation>zbliża się do konturu na mniej niż %1&#xa0;mm w pobliżu %2; zachowaj odstęp lub wybierz mniejszą długość krawędzi</translation>
     </message>
     <message>
         <source>it crosses %1, or comes closer to it than %2 mm, near %3; move them apart, or choose a smaller edge length</source>
-        <translation>przecina %1 lub zbliża się na mniej niż %2 mm w pobliżu %3; rozsuń je lub wybierz mniejszą długość krawędzi</translation>
+        <translation>przecina %1 lub zbliża się na mniej niż %2&#xa0;mm w pobliżu %3; rozsuń je lub wybierz mniejszą długość krawędzi</translation>
     </message>
     <message>
         <source>it crosses itself, or comes closer to itself than %1 mm, near %2; move its points apart, or choose a smaller edge length</source>
-        <translation>przecina się lub zbliża do siebie na mniej niż %1 mm w pobliżu %2; rozsuń punkty lub wybierz mniejszą długość krawędzi</translation>
+        <translation>przecina się lub zbliża do siebie na mniej niż %1&#xa0;mm w pobliżu %2; rozsuń punkty lub wybierz mniejszą długość krawędzi</translation>
     </message>
     <message>
         <source>the patch cannot be triangulated along it with edges of %1 mm. Choose a smaller edge length.</source>
-        <translation>nie da się triangulować elementu wzdłuż tej krzywej przy krawędziach %1 mm. Wybierz mniejszą długość krawędzi.</translation>
+        <translation>nie da się triangulować elementu wzdłuż tej krzywej przy krawędziach %1&#xa0;mm. Wybierz mniejszą długość krawędzi.</translation>
     </message>
     <message>
         <source>Change the frame of %1</source>
@@ -3893,7 +3974,7 @@
     </message>
     <message>
         <source>with this scale and position the points reach beyond 10,000,000 mm</source>
-        <translation>przy tej skali i położeniu punkty wykraczają poza 10 000 000 mm</translation>
+        <translation>przy tej skali i położeniu punkty wykraczają poza 10&#xa0;000&#xa0;000&#xa0;mm</translation>
     </message>
     <message>
         <source>Add scan %1</source>
@@ -4073,7 +4154,7 @@
     </message>
     <message>
         <source>They are no mirror images: they differ by %1 mm. Twins must be alike; make a mirror twin of one of them instead.</source>
-        <translation>To nie są odbicia lustrzane: różnią się o %1 mm. Bliźniaki muszą być jednakowe; utwórz zamiast tego lustrzanego bliźniaka jednego z nich.</translation>
+        <translation>To nie są odbicia lustrzane: różnią się o %1&#xa0;mm. Bliźniaki muszą być jednakowe; utwórz zamiast tego lustrzanego bliźniaka jednego z nich.</translation>
     </message>
     <message>
         <source>Make a mirror twin of %1</source>
@@ -4633,7 +4714,7 @@
     </message>
     <message>
         <source>this changes more at once than can be stored: at most %1 MB, and %2 keys; do it in parts</source>
-        <translation>to zmienia naraz więcej, niż można zapisać: najwyżej %1 MB i %2 kluczy; zrób to po kawałku</translation>
+        <translation>to zmienia naraz więcej, niż można zapisać: najwyżej %1&#xa0;MB i %2 kluczy; zrób to po kawałku</translation>
     </message>
     <message>
         <source>&quot;%1&quot; unpacks to more than any project; it was not made by Bolster, or is damaged</source>
@@ -4669,11 +4750,11 @@
     </message>
     <message>
         <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
-        <translation>kontakt bada stelaż z krokiem %1 mm; coś w tych częściach jest cieńsze, więc pokrowiec może przez nie przejść: %2; pogrub je</translation>
+        <translation>kontakt bada stelaż z krokiem %1&#xa0;mm; coś w tych częściach jest cieńsze, więc pokrowiec może przez nie przejść: %2; pogrub je</translation>
     </message>
     <message>
         <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
-        <translation>kontakt nic nie robi: z krokiem %1 mm nie znajduje wnętrza stelaża, który jest cieńszy lub tak otwarty, że go nie ma; zamknij stelaż lub go pogrub</translation>
+        <translation>kontakt nic nie robi: z krokiem %1&#xa0;mm nie znajduje wnętrza stelaża, który jest cieńszy lub tak otwarty, że go nie ma; zamknij stelaż lub go pogrub</translation>
     </message>
     <message>
         <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
@@ -4697,7 +4778,7 @@
     </message>
     <message>
         <source>%1 holds the cloth %2 mm off the frame</source>
-        <translation>%1 trzyma materiał w odległości %2 mm od stelaża</translation>
+        <translation>%1 trzyma materiał w odległości %2&#xa0;mm od stelaża</translation>
     </message>
     <message>
         <source>The seam of %1 and %2 has %3 % ease: it puckers above %4 %</source>
@@ -4709,7 +4790,7 @@
     </message>
     <message>
         <source>The surface ran away after %1 iterations: %2 holds it %3 mm from everything else. Bring that curve nearer.</source>
-        <translation>Powierzchnia uciekła po iteracjach w liczbie %1: %2 trzyma ją %3 mm od wszystkiego innego. Przybliż tę krzywą.</translation>
+        <translation>Powierzchnia uciekła po iteracjach w liczbie %1: %2 trzyma ją %3&#xa0;mm od wszystkiego innego. Przybliż tę krzywą.</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: %1 is degenerate or its numbers are too large. Check its outline and its fabric.</source>
@@ -4813,15 +4894,15 @@
     </message>
     <message>
         <source>a smallest detail of %1 mm is too fine for a frame as large as this (%2 million cubes of it, and %3 are the limit), so the cushion is left out; take at least %4 mm</source>
-        <translation>najmniejszy szczegół %1 mm jest za drobny dla tak dużego stelaża (%2 mln sześcianów, granica to %3), więc wyściółka jest pominięta; weź co najmniej %4 mm</translation>
+        <translation>najmniejszy szczegół %1&#xa0;mm jest za drobny dla tak dużego stelaża (%2&#xa0;mln sześcianów, granica to %3), więc wyściółka jest pominięta; weź co najmniej %4&#xa0;mm</translation>
     </message>
     <message>
         <source>something of these parts of the frame is thinner than the smallest detail of the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail</source>
-        <translation>coś w tych częściach stelaża jest cieńsze niż najmniejszy szczegół wyściółki, %1 mm, więc mogą tam być luki: %2; weź mniejszy szczegół</translation>
+        <translation>coś w tych częściach stelaża jest cieńsze niż najmniejszy szczegół wyściółki, %1&#xa0;mm, więc mogą tam być luki: %2; weź mniejszy szczegół</translation>
     </message>
     <message>
         <source>it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is thinner than that, or so open that it has none; take a smaller detail, or close the frame</source>
-        <translation>nic nie wypycha: przy najmniejszym szczególe %1 mm stelaż nie ma wnętrza, bo jest cieńszy lub tak otwarty, że go nie ma; weź mniejszy szczegół lub zamknij stelaż</translation>
+        <translation>nic nie wypycha: przy najmniejszym szczególe %1&#xa0;mm stelaż nie ma wnętrza, bo jest cieńszy lub tak otwarty, że go nie ma; weź mniejszy szczegół lub zamknij stelaż</translation>
     </message>
     <message>
         <source>Change the slanted faces of %1</source>
@@ -4849,7 +4930,7 @@
     </message>
     <message>
         <source>a notch of %1 mm reaches the sewing line, which is %2 mm away: make it shallower, or the allowance wider</source>
-        <translation>nacięcie %1 mm sięga linii szycia, odległej o %2 mm: zmniejsz głębokość lub poszerz naddatek</translation>
+        <translation>nacięcie %1&#xa0;mm sięga linii szycia, odległej o %2&#xa0;mm: zmniejsz głębokość lub poszerz naddatek</translation>
     </message>
     <message>
         <source>nothing is sewn where it is, so it has no partner</source>
@@ -4861,7 +4942,7 @@
     </message>
     <message>
         <source>it is %1 mm wide across the grain, but &quot;%2&quot; only %3 mm: split it, or turn its grain</source>
-        <translation>ma w poprzek nitki %1 mm, a „%2” tylko %3 mm: podziel element lub obróć nitkę</translation>
+        <translation>ma w poprzek nitki %1&#xa0;mm, a „%2” tylko %3&#xa0;mm: podziel element lub obróć nitkę</translation>
     </message>
     <message>
         <source>an inner corner of %1 degrees is too sharp for its seam allowances: make them smaller there, or the corner wider</source>
@@ -4985,19 +5066,19 @@
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>strony mają długość %1 mm i %2 mm: wyrównaj szew lub podaj w jego właściwościach żądane wdanie</translation>
+        <translation>strony mają długość %1&#xa0;mm i %2&#xa0;mm: wyrównaj szew lub podaj w jego właściwościach żądane wdanie</translation>
     </message>
     <message>
         <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
-        <translation>strony mają długość %1 mm i %2 mm, a druga ma być dłuższa o %3 mm: wyrównaj szew lub zmień wdanie w jego właściwościach</translation>
+        <translation>strony mają długość %1&#xa0;mm i %2&#xa0;mm, a druga ma być dłuższa o %3&#xa0;mm: wyrównaj szew lub zmień wdanie w jego właściwościach</translation>
     </message>
     <message>
         <source>The mouth of a dart must be at least 1 mm wide.</source>
-        <translation>Rozwarcie zaszewki musi mieć co najmniej 1 mm szerokości.</translation>
+        <translation>Rozwarcie zaszewki musi mieć co najmniej 1&#xa0;mm szerokości.</translation>
     </message>
     <message>
         <source>The tip of a dart must lie inside its patch, at least 5 mm from its mouth.</source>
-        <translation>Wierzchołek zaszewki musi leżeć wewnątrz elementu, co najmniej 5 mm od rozwarcia.</translation>
+        <translation>Wierzchołek zaszewki musi leżeć wewnątrz elementu, co najmniej 5&#xa0;mm od rozwarcia.</translation>
     </message>
     <message>
         <source>The legs of the dart would cross the outline of %1: put its tip elsewhere.</source>
@@ -5041,7 +5122,7 @@
     </message>
     <message>
         <source>%1: the file is larger than a pattern can be (%2 MB)</source>
-        <translation>%1: plik jest większy, niż może być wykrój (%2 MB)</translation>
+        <translation>%1: plik jest większy, niż może być wykrój (%2&#xa0;MB)</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a group code of DXF</source>
@@ -5085,7 +5166,7 @@
     </message>
     <message>
         <source>A dart is rotated to a place at least 5 mm from its mouth.</source>
-        <translation>Zaszewkę przenosi się w miejsce odległe o co najmniej 5 mm od rozwarcia.</translation>
+        <translation>Zaszewkę przenosi się w miejsce odległe o co najmniej 5&#xa0;mm od rozwarcia.</translation>
     </message>
     <message>
         <source>The line from the tip of the dart to there would leave %1.</source>
@@ -5133,7 +5214,7 @@
     </message>
     <message>
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
-        <translation>strony mają naddatki %1 mm i %2 mm: zrównaj je lub pamiętaj o tym przy składaniu</translation>
+        <translation>strony mają naddatki %1&#xa0;mm i %2&#xa0;mm: zrównaj je lub pamiętaj o tym przy składaniu</translation>
     </message>
     <message>
         <source>This edge of %1 is not as long as that.</source>
@@ -5141,11 +5222,11 @@
     </message>
     <message>
         <source>the pattern is so large that the edge length of its triangles becomes %1 mm; is the unit right?</source>
-        <translation>wykrój jest tak duży, że długość krawędzi trójkątów wyniesie %1 mm; czy jednostka jest właściwa?</translation>
+        <translation>wykrój jest tak duży, że długość krawędzi trójkątów wyniesie %1&#xa0;mm; czy jednostka jest właściwa?</translation>
     </message>
     <message>
         <source>%1 is left out: it is %2 m large, the most is %3 m; is the unit right?</source>
-        <translation>%1 pominięto: ma rozmiar %2 m, a najwyżej może mieć %3 m; czy jednostka jest właściwa?</translation>
+        <translation>%1 pominięto: ma rozmiar %2&#xa0;m, a najwyżej może mieć %3&#xa0;m; czy jednostka jest właściwa?</translation>
     </message>
     <message>
         <source>%1 is left out: its outline has fewer than three points</source>
@@ -5157,7 +5238,7 @@
     </message>
     <message>
         <source>%1: its outline has more than %2 points and is simplified, by %3 mm at most</source>
-        <translation>%1: kontur ma ponad %2 punktów i zostaje uproszczony, najwyżej o %3 mm</translation>
+        <translation>%1: kontur ma ponad %2 punktów i zostaje uproszczony, najwyżej o %3&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: its quantity &quot;%2&quot; is no number of pieces; it is cut once until somebody says how often</source>
@@ -5169,7 +5250,7 @@
     </message>
     <message>
         <source>%1: %2 drill holes are narrower than %3 mm or wider than %4 mm and become as wide as possible</source>
-        <translation>%1: nawierty węższe niż %3 mm lub szersze niż %4 mm: %2; dostają najbliższą możliwą średnicę</translation>
+        <translation>%1: nawierty węższe niż %3&#xa0;mm lub szersze niż %4&#xa0;mm: %2; dostają najbliższą możliwą średnicę</translation>
     </message>
     <message>
         <source>%1 is left out: it would be a patch with mistakes</source>
@@ -5225,7 +5306,7 @@
     </message>
     <message>
         <source>the cover is %1 mm thick and has %2 cm³</source>
-        <translation>pokrowiec ma grubość %1 mm i objętość %2 cm³</translation>
+        <translation>pokrowiec ma grubość %1&#xa0;mm i objętość %2&#xa0;cm³</translation>
     </message>
     <message>
         <source>there is no room for foam between the frame and the cover</source>
@@ -5233,7 +5314,7 @@
     </message>
     <message>
         <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
-        <translation>pianka ma %1 l i waży %2 kg przy %3 kg/m³</translation>
+        <translation>pianka ma %1&#xa0;l i waży %2&#xa0;kg przy %3&#xa0;kg/m³</translation>
     </message>
     <message>
         <source>there are neither fixation curves nor seams</source>
@@ -5313,7 +5394,7 @@
     </message>
     <message>
         <source>%1: points of format %2 with %3 bytes cannot be read; save them as LAS 1.2 or 1.4</source>
-        <translation>%1: nie można odczytać punktów formatu %2 o długości %3 B; zapisz je jako LAS 1.2 lub 1.4</translation>
+        <translation>%1: nie można odczytać punktów formatu %2 o długości %3&#xa0;B; zapisz je jako LAS 1.2 lub 1.4</translation>
     </message>
     <message>
         <source>%1: its scale and offset make no points</source>
@@ -5389,7 +5470,7 @@
     </message>
     <message>
         <source>%1: the part &quot;%2&quot; reaches beyond 10,000,000; export it without that part, or near the origin</source>
-        <translation>%1: część „%2” wykracza poza 10 000 000; wyeksportuj bez tej części lub blisko początku układu</translation>
+        <translation>%1: część „%2” wykracza poza 10&#xa0;000&#xa0;000; wyeksportuj bez tej części lub blisko początku układu</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs the file &quot;%2&quot; in its own folder; copy it there, or export as GLB, which is one file</source>
@@ -5473,7 +5554,7 @@
     </message>
     <message>
         <source>99 % of its surface is within %1 mm</source>
-        <translation>99% powierzchni mieści się w %1 mm</translation>
+        <translation>99% powierzchni mieści się w %1&#xa0;mm</translation>
     </message>
     <message>
         <source>it reaches beyond its piece: end it at the edge</source>
@@ -5485,7 +5566,7 @@
     </message>
     <message>
         <source>only %1 mm are left of the piece at the tip of a dart: make it shorter</source>
-        <translation>przy wierzchołku zaszewki zostaje tylko %1 mm elementu: skróć ją</translation>
+        <translation>przy wierzchołku zaszewki zostaje tylko %1&#xa0;mm elementu: skróć ją</translation>
     </message>
     <message>
         <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
@@ -5497,7 +5578,7 @@
     </message>
     <message>
         <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
-        <translation>%1: linia cięcia leży %2 mm poza linią szycia, czyli dalej, niż może sięgać naddatek; będzie tam %3 mm</translation>
+        <translation>%1: linia cięcia leży %2&#xa0;mm poza linią szycia, czyli dalej, niż może sięgać naddatek; będzie tam %3&#xa0;mm</translation>
     </message>
     <message>
         <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
@@ -5505,7 +5586,7 @@
     </message>
     <message>
         <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Umieść na pokrowcu z dokładnością %2 mm RMS: %1 (sparowano %3% punktów)</translation>
+        <translation>Umieść na pokrowcu z dokładnością %2&#xa0;mm RMS: %1 (sparowano %3% punktów)</translation>
     </message>
     <message>
         <source>The scan could not be placed: it is too far from the cover. Align it by three places, or cut away what does not belong to it.</source>
@@ -5513,7 +5594,7 @@
     </message>
     <message>
         <source>Align to %2 mm rms: %1 (%3 % of its points matched)</source>
-        <translation>Wyrównaj z dokładnością %2 mm RMS: %1 (sparowano %3% punktów)</translation>
+        <translation>Wyrównaj z dokładnością %2&#xa0;mm RMS: %1 (sparowano %3% punktów)</translation>
     </message>
     <message>
         <source>Import the pattern of %1</source>
@@ -5521,11 +5602,11 @@
     </message>
     <message>
         <source>%1: a gap of %2 mm in its outline is closed by a straight line</source>
-        <translation>%1: przerwę %2 mm w konturze zamknięto linią prostą</translation>
+        <translation>%1: przerwę %2&#xa0;mm w konturze zamknięto linią prostą</translation>
     </message>
     <message>
         <source>%1: its cut line is drawn anew from its allowances, and differs from that of the file by up to %2 mm</source>
-        <translation>%1: linia cięcia jest rysowana na nowo z naddatków i różni się od tej z pliku do %2 mm</translation>
+        <translation>%1: linia cięcia jest rysowana na nowo z naddatków i różni się od tej z pliku do %2&#xa0;mm</translation>
     </message>
     <message>
         <source>the size &quot;%1&quot; of the page is in no unit that is known and is left out: check the size of the pieces</source>
@@ -5541,11 +5622,11 @@
     </message>
     <message>
         <source>one piece of less than 1 cm³ is left out</source>
-        <translation>pominięto jeden kawałek poniżej 1 cm³</translation>
+        <translation>pominięto jeden kawałek poniżej 1&#xa0;cm³</translation>
     </message>
     <message>
         <source>%1 pieces of less than 1 cm³ are left out</source>
-        <translation>pominięto kawałki poniżej 1 cm³: %1</translation>
+        <translation>pominięto kawałki poniżej 1&#xa0;cm³: %1</translation>
     </message>
     <message>
         <source>Change whether the cover fits %1</source>
@@ -5605,15 +5686,15 @@
     </message>
     <message>
         <source>The form has %1 triangles; %2 stand for it, which are up to %3 mm off</source>
-        <translation>Forma ma %1 trójkątów; zastępuje je %2, z odchyłką do %3 mm</translation>
+        <translation>Forma ma %1 trójkątów; zastępuje je %2, z odchyłką do %3&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 leży %2 mm od formy: nie ma tam cięcia</translation>
+        <translation>%1 leży %2&#xa0;mm od formy: nie ma tam cięcia</translation>
     </message>
     <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
-        <translation>%1 kończy się wewnątrz kawałka, w %2: nacięto tam jak zaszewkę. Do następnej linii lub brzegu jest %3 mm; przedłuż do tego miejsca, aby podzielić kawałek</translation>
+        <translation>%1 kończy się wewnątrz kawałka, w %2: nacięto tam jak zaszewkę. Do następnej linii lub brzegu jest %3&#xa0;mm; przedłuż do tego miejsca, aby podzielić kawałek</translation>
     </message>
     <message>
         <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
@@ -5645,39 +5726,39 @@
     </message>
     <message>
         <source>Make %1 longer by %3 mm where it is sewn to %2</source>
-        <translation>Wydłuż %1 o %3 mm na szwie z: %2</translation>
+        <translation>Wydłuż %1 o %3&#xa0;mm na szwie z: %2</translation>
     </message>
     <message>
         <source>Make %1 shorter by %3 mm where it is sewn to %2</source>
-        <translation>Skróć %1 o %3 mm na szwie z: %2</translation>
+        <translation>Skróć %1 o %3&#xa0;mm na szwie z: %2</translation>
     </message>
     <message>
         <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Poszerz %1 przy %2 o %3 mm</translation>
+        <translation>Poszerz %1 przy %2 o %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Zwęź %1 przy %2 o %3 mm</translation>
+        <translation>Zwęź %1 przy %2 o %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
-        <translation>Przesuń szew %1 i %2 o %3 mm w głąb: %2</translation>
+        <translation>Przesuń szew %1 i %2 o %3&#xa0;mm w głąb: %2</translation>
     </message>
     <message>
         <source>Move the seam of %1 and %2 by %3 mm into %1</source>
-        <translation>Przesuń szew %1 i %2 o %3 mm w głąb: %1</translation>
+        <translation>Przesuń szew %1 i %2 o %3&#xa0;mm w głąb: %1</translation>
     </message>
     <message>
         <source>Let out the corner of %1 at %2 by %3 mm</source>
-        <translation>Wysuń róg (%1) przy %2 o %3 mm</translation>
+        <translation>Wysuń róg (%1) przy %2 o %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Take in the corner of %1 at %2 by %3 mm</source>
-        <translation>Cofnij róg (%1) przy %2 o %3 mm</translation>
+        <translation>Cofnij róg (%1) przy %2 o %3&#xa0;mm</translation>
     </message>
     <message>
         <source>Cut a dart into %1 at %2, %3 mm wide and %4 mm deep</source>
-        <translation>Natnij zaszewkę (%1) przy %2, szeroką na %3 mm i głęboką na %4 mm</translation>
+        <translation>Natnij zaszewkę (%1) przy %2, szeroką na %3&#xa0;mm i głęboką na %4&#xa0;mm</translation>
     </message>
     <message>
         <source>Make the seam of %1 and %2 smooth</source>
@@ -5694,6 +5775,81 @@
     <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 nie ma długości: nie ma tam cięcia</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation>to nie jest plik preferencji: urywa się lub ma błąd przy znaku %1; wybierz plik wyeksportowany przez Bolstera</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation>to nie jest plik preferencji; wybierz plik wyeksportowany przez Bolstera</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation>„%1” nie może mieć podanej tam wartości; usuń ten wiersz z pliku lub wyeksportuj go ponownie</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation>nie można zapisywać w „%1”, gdzie przenośny Bolster trzyma ustawienia i pracę; skopiuj jego folder tam, gdzie wolno Ci zapisywać</translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>środkowy przycisk</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>prawy przycisk</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>przeciąganie</translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation>gest dwoma palcami</translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation>gest szczypania lub Ctrl+kółko</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>kółko</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation>CAD (jak SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Touchpad</translation>
     </message>
 </context>
 <context>
@@ -5901,7 +6057,7 @@
     </message>
     <message>
         <source>100 mm: to measure, no part of the pattern</source>
-        <translation>100 mm: do zmierzenia, nie część wykroju</translation>
+        <translation>100&#xa0;mm: do zmierzenia, nie część wykroju</translation>
     </message>
     <message>
         <source>Sheet %1 (row %2 of %3, column %4 of %5)</source>
@@ -5925,10 +6081,6 @@
     <message>
         <source>Click to select the patch, drag to move it in the layout</source>
         <translation>Kliknij, aby zaznaczyć element; przeciągnij, aby przesunąć go w układzie</translation>
-    </message>
-    <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>Kliknięcie zaznacza, przeciągnięcie ramki zaznacza kilka – środkowy przycisk lub spacja przesuwa, kółko powiększa</translation>
     </message>
     <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
@@ -5969,6 +6121,10 @@
     <message>
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>Przeciągnij opis tam, gdzie da się go odczytać; kliknij, aby zaznaczyć element</translation>
+    </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation>Kliknięcie zaznacza, przeciągnięcie ramki zaznacza kilka – %1 lub spacja przesuwa, %2 powiększa</translation>
     </message>
 </context>
 <context>
@@ -6054,10 +6210,6 @@
         <translation>Obrócono o %1° – Ctrl przyciąga co 15°, Escape anuluje</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>Przesunięto o x %1, y %2, z %3 mm – Ctrl przyciąga co 10 mm, Escape anuluje</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>Przeciągnij, aby przesunąć wzdłuż tej osi</translation>
     </message>
@@ -6068,6 +6220,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>Przeciągnij, aby przesunąć równolegle do obrazu</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation>Przesunięto o x %1, y %2, z %3 – Ctrl przyciąga co %4, Escape anuluje</translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation>Pre&amp;ferencje…</translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation>Jednostki, język, motyw, mysz, klawisze i inne</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation>Milimetry (314 mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation>Centymetry (31,4 cm)</translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation>Cale (12 3/8″)</translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation>Do 1/8</translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation>Do 1/16</translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation>Do 1/32</translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation>Do 1/64</translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation>Dziesiętne (12,375)</translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation>Według języka</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>Przecinek (1,5)</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>Kropka (1.5)</translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation>Język systemu</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Jak w systemie</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Jasny</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Ciemny</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Wysoki kontrast</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Pełna</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Zmniejszona</translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation>Gładki, domyślny</translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation>Jednostki i liczby</translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation>Język i wygląd</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mysz</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Klawiatura</translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation>Widok wykroju</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Widok 3D</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Niezapisana praca</translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation>Nowe modele</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Jednostka długości</translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation>jednostki miara metryczne imperialne calowe milimetr centymetr cal długość</translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>Jak pokazywane są długości. Zawsze można wpisać inne: „3 in”, „2,5 cm”, „1&apos; 2 3/8&quot;”. Modele zachowują milimetry, podobnie jak drukowane arkusze i pliki.</translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation>Części cala</translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation>ułamek imperialne 1/16 dziesiętne</translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation>Pokazywana jest najbliższa część i nic nie jest przez to zaokrąglane; co jest na to za krótkie, ma miejsca dziesiętne.</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Znak dziesiętny</translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation>przecinek kropka separator liczby</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Język</translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation>tłumaczenie słowa polski angielski niemiecki language english</translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation>Bolster użyje go przy następnym uruchomieniu.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Motyw</translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation>kolory ciemny jasny kontrast noc wygląd dostępność</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation>Wielkość liter</translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation>czcionka tekst duży mały zoom skala dostępność</translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation>Poruszanie widokami jak w</translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation>nawigacja obrót obracanie przesuwanie zoom przyciski touchpad gładzik orbita zestaw</translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation>Odwróć kierunek powiększania</translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation>odwrócenie kółko przewijanie przeciwny kierunek</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>Klawisze jak w</translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation>skróty klawiszowe zestaw</translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation>Niektóre polecenia dostają klawisze, które stamtąd znasz. Klawisze wybrane samodzielnie pozostają.</translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation>Przyciągaj do punktów, krawędzi, prowadnic i siatki</translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation>magnes przyciąganie wyrównanie</translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation>Ctrl lub Alt wyłącza to podczas przeciągania.</translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation>Pokaż linijki</translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation>skala miara</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Pokaż prowadnice</translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation>linie pomocnicze</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>Jakość obrazu</translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation>wydajność wolno szybko pulpit zdalny grafika opengl</translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation>Zmniejszona: mniej pikseli i trójkątów, bez miękkich cieni. Dla wolnych komputerów i ekranów zdalnych. Eksportowane obrazy pozostają dokładne.</translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation>Zmieniaj widoki od razu, bez przelotu</translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation>ograniczenie ruchu animacja kamera dostępność zdalny</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> dni</translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation>Usuniętą pracę przechowuj przez</translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation>autozapis kopia zapasowa odzyskiwanie awaria dziennik kosz niezapisane usuń</translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation>Każdy krok jest na dysku, gdy tylko zostanie wykonany, więc nie ma odstępu do ustawienia. Niezapisana praca pozostaje, aż ją otworzysz lub wyrzucisz; potem leży w koszu co najmniej 30 dni.</translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation>Materiał nowych elementów</translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation>domyślny materiał skóra tkanina kolor</translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation>Nowy model zaczyna się od niego, a elementy powstają z pierwszego materiału modelu.</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Naddatek na szew</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation>domyślny krojenie margines podwinięcie szerokość</translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation>Nowe modele zaczynają się od niego; w modelu zmienia się go we właściwościach.</translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation>Folder materiałów</translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation>biblioteka katalog ścieżka import eksport obraz próbnik</translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation>Gdzie najpierw szukać materiałów i ich obrazów. Jeśli brak, jest to folder modelu.</translation>
     </message>
 </context>
 <context>
@@ -6420,7 +6890,7 @@
     </message>
     <message>
         <source>%1, %2 m² in all</source>
-        <translation>%1, razem %2 m²</translation>
+        <translation>%1, razem %2&#xa0;m²</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -6428,7 +6898,7 @@
     </message>
     <message>
         <source>%1, %2 m in all</source>
-        <translation>%1, razem %2 m</translation>
+        <translation>%1, razem %2&#xa0;m</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -6549,11 +7019,11 @@
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1 × %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 m²</source>
-        <translation>%1 m²</translation>
+        <translation>%1&#xa0;m²</translation>
     </message>
     <message>
         <source>Piece</source>
@@ -6581,11 +7051,11 @@
     </message>
     <message>
         <source>%1 mm long, %2 mm from the seam</source>
-        <translation>ścieg %1 mm, %2 mm od szwu</translation>
+        <translation>ścieg %1&#xa0;mm, %2&#xa0;mm od szwu</translation>
     </message>
     <message>
         <source>piping, %1 mm thick</source>
-        <translation>kedra, grubość %1 mm</translation>
+        <translation>kedra, grubość %1&#xa0;mm</translation>
     </message>
     <message>
         <source>plain</source>
@@ -6625,7 +7095,7 @@
     </message>
     <message>
         <source>%1 m², without what lies between the pieces</source>
-        <translation>%1 m², bez tego, co leży między elementami</translation>
+        <translation>%1&#xa0;m², bez tego, co leży między elementami</translation>
     </message>
     <message>
         <source>Sewing thread</source>
@@ -6633,11 +7103,11 @@
     </message>
     <message>
         <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
-        <translation>Nić ozdobna &lt;span style=&quot;background-color:%1&quot;&gt;    &lt;/span&gt; %1</translation>
+        <translation>Nić ozdobna &lt;span style=&quot;background-color:%1&quot;&gt;&#xa0;&#xa0;&#xa0;&#xa0;&lt;/span&gt; %1</translation>
     </message>
     <message>
         <source>%1 m, at %2 m for each metre of a row</source>
-        <translation>%1 m, licząc %2 m na każdy metr rzędu</translation>
+        <translation>%1&#xa0;m, licząc %2&#xa0;m na każdy metr rzędu</translation>
     </message>
     <message>
         <source>Piping</source>
@@ -6645,7 +7115,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>What</source>
@@ -6728,6 +7198,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>Strona startow&amp;a</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nowe &amp;okno</translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation>Nie udało się otworzyć kolejnego okna.</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation>System nie uruchomił programu ponownie. Zamknij niektóre programy i spróbuj jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation>Zgłoś p&amp;roblem…</translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation>Co &amp;nowego</translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation>To jest Bolster %1. Nowości są w menu Pomoc &gt; Co nowego.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Pokaż</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation>Stelaż jest w widoku 3D. Narysuj na nim krzywe w miejscach mocowania materiału lub pierwszy element.</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation>Narysuj krzywą &amp;mocowania</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation>Narysuj p&amp;rostokąt</translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation>Wykrój formy…</translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6759,6 +7280,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>&amp;Dane liczbowe…</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Krojenie</translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation>O ile każdy element jest wycięty większy lub mniejszy dookoła</translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation>Krojenie: %1</translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation>Sz&amp;wy</translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation>O ile każdy szew jest zszyty dalej do wewnątrz lub na zewnątrz, po obu stronach</translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation>Szew %1</translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation>&amp;Pianka</translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation>O ile każda wyściółka i pianka jest grubsza lub cieńsza</translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation>Grubość: %1</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation>&amp;Mocowania</translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation>O ile każda krzywa mocowania leży gdzie indziej, wzdłuż każdej osi</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Położenie: %1</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation>&amp;Sztywność</translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation>O ile każdy materiał jest sztywniejszy lub bardziej miękki</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Sztywność: %1</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation>Sk&amp;urcz</translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation>O ile każdy element się kurczy lub rozciąga</translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation>Skurcz: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation>Poduszka</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Wałek</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Ławka</translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation>Krzesło</translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation>Fotel uszak</translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation>Fotel samochodowy</translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation>Zagłówek</translation>
     </message>
 </context>
 <context>
@@ -6838,6 +7465,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>Rysuj z&amp;aszewkę</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Samouczek</translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation>Przeciągnij krzywą na stelażu</translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation>Kolorowe krzywe na stelażu pokazują, gdzie materiał jest zamocowany. Kliknij jedną z nich, a potem przeciągnij jeden z jej punktów: pokrowiec podąża.</translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation>Pokrowiec podąża za przeciąganiem i uspokaja się po puszczeniu.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Cofnij to</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation>Ctrl+Z lub ten przycisk cofa wszystko, co zrobiono, tak daleko, jak chcesz. Nic się przy tym nie traci: historia zachowuje też to, co cofnięto.</translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation>Jest jak było. Cofnięte kroki są nadal w historii.</translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation>Wybierz szew</translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation>Szwy łączą dwie krawędzie wykroju. Kliknij jeden – w wykroju lub na pokrowcu: obie jego krawędzie się podświetlą, a pokrowiec pokaże, gdzie leży.</translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation>Jego właściwości są teraz po prawej.</translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation>Zmień sposób szycia</translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation>Przy zaznaczonym szwie wybierz w jego właściwościach inną ciągłość lub inne stebnowanie: krawędź, szew zaokrąglony lub gładki.</translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation>Pokrowiec pokazuje szew tak, jak będzie uszyty.</translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation>Obejrzyj odkształcenia</translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation>Widok &gt; Mapa barwi pokrowiec według tego, co znosi materiał. Wybierz Największe odkształcenie, aby zobaczyć, gdzie jest najbardziej rozciągnięty.</translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation>Legenda mówi, ile to jest, a wskaźnik odczytuje wartość w każdym miejscu.</translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation>Zmień wykrój</translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>Przeciągnij punkt konturu lub natnij zaszewkę (Wykrój &gt; Rysuj zaszewkę): co zmienisz na płasko, jest od razu zszywane.</translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation>Szwy zachowują miejsca na zmieniającym się konturze.</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>Weź to ze sobą</translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation>Plik &gt; Eksportuj wykrój zapisuje DXF, PDF lub SVG z naddatkami na szwy i nacięciami; Eksportuj pokrowiec zapisuje pokrowiec dla innych.</translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation>Plik zapisano.</translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation>To był samouczek</translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation>Wiesz już, jak wykrój, szwy i stelaż tworzą pokrowiec. Zacznij własny model: szablony są w menu Plik &gt; Strona startowa. Co robi który klawisz, pokazuje Pomoc &gt; Klawisze i mysz.</translation>
     </message>
 </context>
 <context>
@@ -6961,11 +7687,7 @@
     <name>Units</name>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6974,6 +7696,18 @@
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7101,6 +7835,32 @@
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>Zaznacz elementy, krzywe, stelaże, piankę lub skany, aby je ukryć.</translation>
     </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Wysoki kontrast</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation>Drukuj widok</translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation>Nie udało się wydrukować widoku.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation>Drukarka w tej chwili nic nie przyjmuje. Sprawdź, czy jest włączona i ma papier, albo drukuj do pliku.</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation>Co nowego</translation>
+    </message>
 </context>
 <context>
     <name>WindowCommands</name>
@@ -7129,6 +7889,117 @@
     <message>
         <source>Drawn in software</source>
         <translation>Rysowanie programowe</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation>Dlaczego tak jest?</translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation>Skan sztuki</translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation>Skan dobrej sztuki</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Brak</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation>Skan sztuki, która jest taka, jak powinna: gdzie leży ona inaczej niż pokrowiec, przyczyny się nie szuka</translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation>Skan &amp;sztuki</translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation>Skan &amp;dobrej sztuki</translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation>Szukaj &amp;przyczyny</translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation>Szukanie przyczyny…</translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation>Mówi, która jedna przyczyna najlepiej wyjaśnia odległość wykonanej sztuki od pokrowca: pianka, naddatek szwu, rozciągnięty element, przesunięte mocowanie, przesunięte nacięcie.</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Przyczyna</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>Wyjaśnia</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>Prawdopodobieństwo</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Przyczyny</translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation>Wybierz skan wykonanej sztuki.</translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation>Obliczanie pokrowców z każdą przyczyną…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Zatrzymano.</translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation>Skan nie pokazuje nic z pokrowca: czy leży tam, gdzie model?</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation>Skan pokazuje %1 pokrowca i leży od niego %2 (RMS). Wszystkie przyczyny razem pozostawiają %3.</translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation>Żadna pojedyncza przyczyna nie wyjaśnia tego lepiej niż szum.</translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation>Większość odchyłki nie ma przyczyny tego rodzaju, więc pierwsza nie musi być właściwa: podaj też skan dobrej sztuki.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation>
+            <numerusform>i %n inna</numerusform>
+            <numerusform>i %n inne</numerusform>
+            <numerusform>i %n innych</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation>Skan nie odróżnia jej od: %1</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>Model się tymczasem zmienił: szukaj ponownie.</translation>
     </message>
 </context>
 <context>
@@ -7226,10 +8097,6 @@
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>Przesunięto o x %1, y %2, z %3 mm</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>Związany z osią; ten sam klawisz uwalnia</translation>
     </message>
@@ -7244,6 +8111,10 @@
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X, Y, Z lub Shift trzymają się osi, S trzyma się stelaża, Ctrl unosi, Escape anuluje</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation>Przesunięto o x %1, y %2, z %3</translation>
     </message>
 </context>
 <context>
@@ -7311,6 +8182,29 @@
     </message>
 </context>
 <context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation>Nie można otworzyć „%1”.</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation>System nie uruchomił programu ponownie dla kolejnego okna. Otwórz plik stąd.</translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation>To jest folder. Upuść pliki, które w nim są.</translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation>Nie ma go na tym komputerze lub już go nie ma. Najpierw zapisz go w folderze.</translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation>Bolster otwiera projekty i modele (%1), stelaże (%2), skany (%3), wykroje (%4) i obrazy materiałów (%5). Zapisz plik w jednym z tych formatów programem, z którego pochodzi.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsModel</name>
     <message>
         <source>Hidden in the 3D view</source>
@@ -7322,6 +8216,10 @@
     <message>
         <source>Find an element</source>
         <translation>Znajdź obiekt</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Obiekty</translation>
     </message>
 </context>
 <context>
@@ -7364,7 +8262,7 @@
     </message>
     <message>
         <source>Roll, %1 mm wide</source>
-        <translation>Rola, szerokość %1 mm</translation>
+        <translation>Rola, szerokość %1&#xa0;mm</translation>
     </message>
     <message>
         <source>&amp;Landscape</source>
@@ -7427,14 +8325,6 @@
         <translation>Naw&amp;ierty</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n element na %1 x %2 mm</numerusform>
-            <numerusform>%n elementy na %1 x %2 mm</numerusform>
-            <numerusform>%n elementów na %1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n strona</numerusform>
@@ -7477,6 +8367,14 @@
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
         <translation>Dwukrotne kliknięcie opuszcza to okno i pokazuje, gdzie to jest; cała lista jest w panelu „Kontrola przed krojeniem”.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation>
+            <numerusform>%n element na %1</numerusform>
+            <numerusform>%n elementy na %1</numerusform>
+            <numerusform>%n elementów na %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7691,17 +8589,17 @@
         <source>turned by %1</source>
         <translation>obrót o %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n punkt, %1 mm</numerusform>
-            <numerusform>%n punkty, %1 mm</numerusform>
-            <numerusform>%n punktów, %1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, od %2 do %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation>
+            <numerusform>%n punkt, %1</numerusform>
+            <numerusform>%n punkty, %1</numerusform>
+            <numerusform>%n punktów, %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8039,10 +8937,6 @@
         <translation>Otwórz &amp;uratowane</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte 30 dni po włożeniu do kosza.</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>Przenieś do &amp;kosza</translation>
     </message>
@@ -8146,6 +9040,14 @@
         <source>The pattern is imported. What is otherwise than in the file:</source>
         <translation>Zaimportowano wykrój. Różnice względem pliku:</translation>
     </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dzień po włożeniu do kosza.</numerusform>
+            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dni po włożeniu do kosza.</numerusform>
+            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dni po włożeniu do kosza.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -8198,16 +9100,8 @@
         <translation>Szerokość, głębokość, wysokość</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>To nietypowe dla mebla: sprawdź jednostkę.</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>Liczba punktów w pliku: %1. To więcej, niż potrzeba do dopasowania pokrowca, więc przerzedzono je do jednego co %2 mm.</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8282,8 +9176,12 @@
         <translation>&amp;Zachowaj położenie i obrót</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>Rozmiar zmieni się z %1 mm na %2 mm: sprawdź jednostkę.</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation>Punkty w pliku: %1. To więcej, niż trzeba do dopasowania pokrowca, więc przerzedzono je do jednego co %2.</translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation>Miał rozmiar %1, a ma mieć %2: sprawdź jednostkę.</translation>
     </message>
 </context>
 <context>
@@ -8291,6 +9189,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>Elementy na płasko</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Plik…</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>Siatki i skany (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Wszystkie pliki (*)</translation>
     </message>
 </context>
 <context>
@@ -8455,6 +9364,10 @@
         <source>Find a change or a version</source>
         <translation>Znajdź zmianę lub wersję</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>Historia</translation>
+    </message>
 </context>
 <context>
     <name>bolster::HistoryView</name>
@@ -8530,10 +9443,6 @@
         <translation>Co staje się konturem elementów, gdy plik ma obie linie.</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>Kontury, których końce nie są bardziej oddalone, zamyka linia prosta.</translation>
     </message>
@@ -8563,19 +9472,11 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8591,14 +9492,6 @@
             <numerusform>, %n raz</numerusform>
             <numerusform>, %n razy</numerusform>
             <numerusform>, %n razy</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n kontur jest otwarty: jego końce dzieli do %1 mm. Jeśli to kontur, zamknij przerwy do tej wielkości.</numerusform>
-            <numerusform>%n kontury są otwarte: ich końce dzieli do %1 mm. Jeśli to kontury, zamknij przerwy do tej wielkości.</numerusform>
-            <numerusform>%n konturów jest otwartych: ich końce dzieli do %1 mm. Jeśli to kontury, zamknij przerwy do tej wielkości.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8637,6 +9530,29 @@
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
         <translation>%1: liczba elementów %2; naraz można zaimportować najwyżej %3: wybrano pierwsze.</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n kontur jest otwarty: jego końce dzieli do %1. Jeśli to kontur, zamknij przerwy do tej wielkości.</numerusform>
+            <numerusform>%n kontury są otwarte: ich końce dzieli do %1. Jeśli to kontury, zamknij przerwy do tej wielkości.</numerusform>
+            <numerusform>%n konturów jest otwartych: ich końce dzieli do %1. Jeśli to kontury, zamknij przerwy do tej wielkości.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation>Nic nie jest wykonywane.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Zatrzymaj</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8647,14 +9563,6 @@
     <message>
         <source>Messages</source>
         <translation>Komunikaty</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8687,6 +9595,65 @@
             <numerusform>W wykroju są %n elementy. Szew &gt; Zaproponuj szwy znajduje, co do siebie należy.</numerusform>
             <numerusform>W wykroju jest %n elementów. Szew &gt; Zaproponuj szwy znajduje, co do siebie należy.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation>Bolster jeszcze nad czymś pracuje.</translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation>Co zostanie teraz zamknięte, nie będzie ukończone; zapisywane pliki pozostaną takie, jakie były.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>&amp;Zatrzymaj i zamknij</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Podręcznik</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Spis treści</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Wstecz (Alt+Lewo)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Dalej (Alt+Prawo)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>Szukaj na wszystkich stronach</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>Podręcznik nie ma strony „%1”.</translation>
     </message>
 </context>
 <context>
@@ -9160,10 +10127,6 @@
         <translation>Kąty ro&amp;gów</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>No point &amp;moves farther than</source>
         <translation>Żaden punkt nie przesunie &amp;się dalej niż</translation>
     </message>
@@ -9188,16 +10151,8 @@
         <translation>&amp;Ile z tego</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Plik…</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>Forma, na której ma leżeć pokrowiec</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Siatki i skany (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Wszystkie pliki (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9214,10 +10169,6 @@
     <message>
         <source>Stopped; nothing has changed.</source>
         <translation>Zatrzymano; nic się nie zmieniło.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>Za&amp;trzymaj</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9279,6 +10230,66 @@
         <source>With all of the changes:</source>
         <translation>Ze wszystkimi zmianami:</translation>
     </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation>Dopasowywanie wykroju…</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Bez &amp;fałd w zaznaczonych elementach</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Ich materiał nigdzie nie jest ściskany; gdy nic nie zaznaczono: wszystkie</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Krzywa</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>Zaznaczony szew b&amp;iegnie wzdłuż</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Krzywa narysowana na stelażu lub formie; nie musi niczego mocować</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Udział powierzchni</translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation>Powierzchnia zaznaczonych elementów &amp;wynosi</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Poniżej 100%: stają się mniejsze</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Zaznacz szew, który ma biec wzdłuż krzywej.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Zaznacz elementy, które mają się stać większe lub mniejsze.</translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation>Zmienianie wykroju…</translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation>Ściśnięte: %1 przedtem, %2 teraz</translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation>Od krzywej: %1 przedtem, %2 teraz (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation>Odchyłka od żądanej powierzchni: %1 przedtem, %2 teraz</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -9289,6 +10300,239 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>Przeciągnij w prawo, aby utworzyć pionową prowadnicę. Znaczniki przesuwają poziome prowadnice; wyciągnięte znikają.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation>Preferencje (*.json)</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>Żadne ustawienie nie zawiera tych słów.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferencje</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>Znajdź ustawienie</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Strony</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ustawienia</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wybierz…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation>&amp;Edytuj poszczególne skróty…</translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation>Przywróć &amp;domyślne</translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation>Wszystkie ustawienia tej strony</translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation>E&amp;ksportuj…</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>&amp;Importuj…</translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation>Eksportuj preferencje</translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation>Preferencje Bolstera.json</translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation>Importuj preferencje</translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation>Nie udało się wyeksportować preferencji.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation>Nic nie zaimportowano z „%1”; wszystkie ustawienia są, jakie były.</translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation>Zaimportowano preferencje.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation>
+            <numerusform>Ta wersja Bolstera nie zna %n z nich: %1</numerusform>
+            <numerusform>Ta wersja Bolstera nie zna %n z nich: %1</numerusform>
+            <numerusform>Ta wersja Bolstera nie zna %n z nich: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Obróć widok</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Przesuń widok</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Powiększ</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>W widoku 3D</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>W wykroju</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1: co to znaczy i co zrobić</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation>Zmniejsz odkształcenia</translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation>&amp;Szukaj zmian</translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation>Szukanie zmian zmniejszających odkształcenia…</translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation>Gdzie materiał jest odkształcony lub ściśnięty bardziej, niż wolno, próbowane są zmiany wykroju, a najlepsze są obliczane.</translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation>Proponowane zmiany</translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation>&amp;Odkształcenie najwyżej</translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation>W przeciwnym razie obowiązują granice materiałów</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Granica odkształcenia</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation>&amp;Krawędzie przesuwają się najwyżej o</translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation>Próbowanie zmian…</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>Zatrzymano; nic się nie zmieniło.</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation>Nic nie jest odkształcone powyżej granicy.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation>%1 pokrowca powyżej granicy. Żadna zmiana tego nie zmniejsza.</translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Każda jest obliczona osobno; „Wykonaj” to jeden krok, który można cofnąć.</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>Jak jest teraz</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation>%1 pokrowca powyżej granicy.</translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation>%1 mniej odkształcenia powyżej granicy</translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation>%1 więcej odkształcenia powyżej granicy</translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation>%1 mniej pokrowca powyżej granicy</translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation>%1 więcej pokrowca powyżej granicy</translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation>Szycie: o %1 więcej</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation>Strony szwów różnią się o %1 więcej</translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation>Kontury zmieniają się o %1</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>Pokaż gdzie</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>Wykonaj</translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation>Wykonaj: %1</translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation>Wykonano. Można to cofnąć; szukaj ponownie, aby zobaczyć, co teraz pomoże.</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>Model się tymczasem zmienił: szukaj ponownie.</translation>
     </message>
 </context>
 <context>
@@ -9391,7 +10635,7 @@
     </message>
     <message>
         <source>At most %1 million pixels are drawn; choose a smaller size.</source>
-        <translation>Rysowane jest najwyżej %1 mln pikseli; wybierz mniejszy rozmiar.</translation>
+        <translation>Rysowane jest najwyżej %1&#xa0;mln pikseli; wybierz mniejszy rozmiar.</translation>
     </message>
     <message>
         <source>The picture cannot be written: %1</source>
@@ -9461,6 +10705,96 @@
         <source>Open its folder</source>
         <translation>Otwórz folder</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Podgląd</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Szerokość</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Wysokość</translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation>Wynik</translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation>Rysowanie: %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Zgłoś problem</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation>Co zostało zrobione, co się stało i co powinno było się stać?</translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation>&amp;Co się stało:</translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation>&amp;Dodaj model („%1”), bez jego stelaży, skanów i obrazów</translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation>Co jeszcze zawiera &amp;zgłoszenie:</translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>Zapisz zgłoszenie…</translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation>Zapisuje to plik, który możesz dać tym, którzy mogą pomóc. Bolster niczego nie wysyła.</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>jeszcze nieznane</translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation>Komunikaty tej sesji:</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(brak)</translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation>Ostatnia awaria:</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisz zgłoszenie</translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation>ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation>Zapisano zgłoszenie: %1</translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Nie udało się zapisać zgłoszenia: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Za&amp;trzymaj</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ScanLink</name>
@@ -9516,10 +10850,6 @@
         <translation>Wyszukiwanie krawędzi, które do siebie należą…</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 i %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1%</translation>
     </message>
@@ -9538,6 +10868,10 @@
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
         <translation>Te od 50% wzwyż. To, co zszyte, wskazuje, gdzie należą sąsiednie.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 i %2</translation>
     </message>
 </context>
 <context>
@@ -9628,6 +10962,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>Nie ma jeszcze szwów. Wybierz narzędzie szycia (W), potem kliknij dwie krawędzie, które do siebie należą.</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Szwy</translation>
     </message>
 </context>
 <context>
@@ -9789,6 +11127,10 @@
         <source>%1 it is.</source>
         <translation>%1: przypisano.</translation>
     </message>
+    <message>
+        <source>Commands</source>
+        <translation>Polecenia</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
@@ -9911,6 +11253,101 @@
     </message>
 </context>
 <context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>Strona startowa</translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation>Witamy w Bolsterze</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rozpocznij samouczek</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Otwórz…</translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation>Wróć do modelu</translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation>Co masz?</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>Stelaż</translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation>Na nim mocuje się pokrowiec: %1</translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation>Wykrój</translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation>Z jego elementów powstaje pokrowiec: %1</translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation>Skan</translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation>Do niego dopasowuje się pokrowiec: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Jeszcze nic</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation>Narysuj prostokąt, pierwszy element</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Kontynuuj</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Wyczyść listę</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation>Usuń z tej listy; plik pozostaje</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Niezapisana praca</translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation>Zachowano na później, ostatnia zmiana %1</translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation>Pozostało po awarii, ostatnia zmiana %1</translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation>Zacznij od szablonu</translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation>Obejrzyj przykład</translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation>Teraz go tam nie ma</translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
@@ -9977,13 +11414,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
         <translation>Materiał poruszał się aż do końca obliczeń. Zwykle powoduje to:
 • Element, którego nic nie trzyma: zamocuj jedną z jego krawędzi lub go przyszyj.
 • Szew, którego strony mają bardzo różną długość: zbliż je do siebie.
 • Element bardzo długi lub bardzo wąski: podziel go lub poszerz.
-• Wysokie ciśnienie: zmniejsz je we właściwościach modelu.
+• Wysokie ciśnienie: zmniejsz je we właściwościach elementu.
 Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     </message>
     <message>
@@ -10000,10 +11437,176 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     </message>
 </context>
 <context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerancje</translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation>&amp;Losuj sztuki</translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation>Obliczanie sztuk w granicach tolerancji…</translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation>Sztuki są losowane w granicach tolerancji: gdzie pokrowiec się zmienia, która tolerancja ma znaczenie, ile sztuk przekracza granicę?</translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation>Pok&amp;aż na pokrowcu, czego nie przekracza 95% sztuk</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancja</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>Udział w wariancji</translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation>Przesuwa najwyżej o</translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation>Tolerancje według wpływu</translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation>Tolerancje (±); 0: brak</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Sztuki</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation>Każdy wymiar w granicach jest równie prawdopodobny</translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation>Normalny: tolerancja to trzy odchylenia standardowe</translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation>Przed nimi losuje się dziesięć tysięcy w przybliżeniu liniowym, co trwa kilka sekund</translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation>Sztuka przekracza granicę, gdy ponad 5% jej pokrowca leży dalej od właściwego miejsca</translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation>L&amp;osowanie</translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation>O&amp;bliczone</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>&amp;Granica</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation>Nic się nie zmienia: podaj tolerancję powyżej 0 dla czegoś, co jest w modelu.</translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation>Obliczanie pokrowców z każdą tolerancją…</translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation>Zatrzymano. Pokazano wynik przybliżenia liniowego.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Zatrzymano.</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation>95% sztuk mieści się w %1 (RMS na pokrowcu), w najgorszym miejscu w %2.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation>Poza granicą: %1 sztuk.</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation>To przybliżenie liniowe; trwa obliczanie sztuk…</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation>To przybliżenie liniowe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation>
+            <numerusform>Na podstawie %n obliczonej sztuki.</numerusform>
+            <numerusform>Na podstawie %n obliczonych sztuk.</numerusform>
+            <numerusform>Na podstawie %n obliczonych sztuk.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation>
+            <numerusform>%n sztuka nie ma pokrowca w spoczynku na tych samych trójkątach.</numerusform>
+            <numerusform>%n sztuki nie mają pokrowca w spoczynku na tych samych trójkątach.</numerusform>
+            <numerusform>%n sztuk nie ma pokrowca w spoczynku na tych samych trójkątach.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation>Czego nie przekracza 95% sztuk</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation>Model się tymczasem zmienił: losuj sztuki ponownie.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>Nie udało się tego wykonać i nic nie zmieniono: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Zakończ samouczek</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Samouczek</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation>Pomoc &gt; Samouczek pozwala stąd kontynuować</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation>Samouczek, %1 z %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
     </message>
 </context>
 <context>

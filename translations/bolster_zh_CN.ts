@@ -160,6 +160,33 @@
     </message>
 </context>
 <context>
+    <name>CauseWindow</name>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>泡沫偏厚或偏薄</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>泡沫偏硬或偏软</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>接缝的缝份</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>样片偏大或偏小</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>固定位置偏移</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>接缝错位缝合</translation>
+    </message>
+</context>
+<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -231,16 +258,16 @@
         <translation>单击选择样片，拖动旋转视图</translation>
     </message>
     <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>单击选择，拖动旋转——Shift+中键平移，滚轮缩放</translation>
-    </message>
-    <message>
         <source>Click to select the curve, double click to add a control point here</source>
         <translation>单击选择曲线，双击在此添加控制点</translation>
     </message>
     <message>
         <source>Click to select what stands here, drag to turn the view</source>
         <translation>单击选择此处的对象，拖动旋转视图</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
+        <translation>单击选择，拖动旋转——%1 平移，%2 缩放</translation>
     </message>
 </context>
 <context>
@@ -429,6 +456,10 @@
     <message>
         <source>Check before cutting</source>
         <translation>裁剪前检查</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>任务</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2020,10 @@
         <source>Export foam &amp;body …</source>
         <translation>导出泡沫体(&amp;B)…</translation>
     </message>
+    <message>
+        <source>Print view …</source>
+        <translation>打印视图…</translation>
+    </message>
 </context>
 <context>
     <name>FileFormats</name>
@@ -2067,16 +2102,16 @@
         <translation>单击或输入下一点，Enter 结束，C 闭合——B 改为直线，Backspace 撤回一点</translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>单击或输入下一点，Enter 结束，C 闭合——点与点间为直线，不论中间有何物：B 改为沿曲面平滑，Backspace 撤回一点</translation>
     </message>
     <message>
         <source>&amp;Close the curve</source>
         <translation>闭合曲线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1、%2、%3</translation>
     </message>
 </context>
 <context>
@@ -2100,14 +2135,6 @@
 </context>
 <context>
     <name>FixationsLeft</name>
-    <message>
-        <source>“%1”: up to %2 mm</source>
-        <translation>“%1”：最多 %2 mm</translation>
-    </message>
-    <message>
-        <source>“%1”: more than %2 mm</source>
-        <translation>“%1”：超过 %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2125,8 +2152,16 @@
         </translation>
     </message>
     <message>
-        <source>“%1”: its edge is up to %2 mm away</source>
-        <translation>“%1”：其棱边最远相距 %2 mm</translation>
+        <source>“%1”: its edge is up to %2 away</source>
+        <translation>“%1”：其边最多相距 %2</translation>
+    </message>
+    <message>
+        <source>“%1”: up to %2</source>
+        <translation>“%1”：最多 %2</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2</source>
+        <translation>“%1”：超过 %2</translation>
     </message>
 </context>
 <context>
@@ -2213,10 +2248,6 @@
     <message>
         <source>Mesh</source>
         <translation>网格</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>Piece %1: %2</source>
@@ -2330,10 +2361,6 @@
         <translation>添加控制点</translation>
     </message>
     <message>
-        <source>Move by 1 mm, by 10 mm</source>
-        <translation>移动 1 mm、10 mm</translation>
-    </message>
-    <message>
         <source>arrow keys, Shift+arrow keys</source>
         <translation>方向键、Shift+方向键</translation>
     </message>
@@ -2342,28 +2369,12 @@
         <translation>平移</translation>
     </message>
     <message>
-        <source>middle button, or Space and drag</source>
-        <translation>中键，或按住空格拖动</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>缩放</translation>
     </message>
     <message>
-        <source>wheel</source>
-        <translation>滚轮</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>旋转</translation>
-    </message>
-    <message>
-        <source>middle button, or drag beside the cover</source>
-        <translation>中键，或在面套旁拖动</translation>
-    </message>
-    <message>
-        <source>Shift and middle button</source>
-        <translation>Shift 和中键</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -2609,6 +2620,18 @@
         <source>right button, without a drag</source>
         <translation>右键，不拖动</translation>
     </message>
+    <message>
+        <source>Move by %1, by %2</source>
+        <translation>移动 %1、%2</translation>
+    </message>
+    <message>
+        <source>%1, or Space and drag</source>
+        <translation>%1，或按住空格拖动</translation>
+    </message>
+    <message>
+        <source>%1, or drag beside the cover</source>
+        <translation>%1，或在面套旁拖动</translation>
+    </message>
 </context>
 <context>
     <name>Insert</name>
@@ -2621,8 +2644,8 @@
         <translation>泡沫</translation>
     </message>
     <message>
-        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
-        <translation>此骨架较大：其最小细节设为 %1 mm；通常的 %2 mm 会占用过多内存。</translation>
+        <source>This frame is large: its smallest detail is set to %1; the usual %2 would need too much memory.</source>
+        <translation>此骨架较大：其最小细节设为 %1；通常的 %2 会占用过多内存。</translation>
     </message>
 </context>
 <context>
@@ -2689,6 +2712,45 @@
     <message>
         <source>Changes the pattern until the cover lies on a scan, or is strained less</source>
         <translation>更改样板，直到面套贴合扫描或应变减小</translation>
+    </message>
+    <message>
+        <source>Relieve strain …</source>
+        <translation>释放应变…</translation>
+    </message>
+    <message>
+        <source>Proposes changes of the pattern where cloth is strained too much, with what each gains</source>
+        <translation>在面料应变过大处建议更改样板，并说明各项更改的效果</translation>
+    </message>
+    <message>
+        <source>Why is it so? …</source>
+        <translation>为何如此？…</translation>
+    </message>
+    <message>
+        <source>Which cause explains best how far the scan of a built piece lies from the cover</source>
+        <translation>哪个原因最能解释实物扫描与面套的距离</translation>
+    </message>
+    <message>
+        <source>Tolerances …</source>
+        <translation>公差…</translation>
+    </message>
+    <message>
+        <source>Where the cover varies from piece to piece, and which tolerance of making matters</source>
+        <translation>各件的面套在何处有差异，哪项制作公差影响大</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPresets</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
     </message>
 </context>
 <context>
@@ -2826,6 +2888,25 @@
     <message>
         <source>S&amp;can</source>
         <translation>扫描(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>ManualCommands</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The page about what you are at</source>
+        <translation>与当前操作有关的页面</translation>
+    </message>
+    <message>
+        <source>The manual is not installed.</source>
+        <translation>未安装手册。</translation>
+    </message>
+    <message>
+        <source>It is a folder &quot;manual&quot; with the program&apos;s other files.</source>
+        <translation>它是程序其他文件旁的“manual”文件夹。</translation>
     </message>
 </context>
 <context>
@@ -5687,6 +5768,81 @@
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 没有长度：不沿其切分</translation>
     </message>
+    <message>
+        <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
+        <translation>不是首选项文件：在第 %1 个字符处中断或有错误；请选择由 Bolster 导出的文件</translation>
+    </message>
+    <message>
+        <source>it is no file of preferences; choose one that Bolster has exported</source>
+        <translation>不是首选项文件；请选择由 Bolster 导出的文件</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be what it is there; remove that line from the file, or export it again</source>
+        <translation>“%1”不能取文件中的值；请从文件中删除该行，或重新导出</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
+        <translation>便携版 Bolster 用于保存设置和工作的“%1”无法写入；请将其文件夹复制到有写入权限的位置</translation>
+    </message>
+</context>
+<context>
+    <name>MouseStyle</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>中键</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>右键</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>two fingers</source>
+        <translation>双指滑动</translation>
+    </message>
+    <message>
+        <source>pinch or Ctrl+wheel</source>
+        <translation>双指捏合或 Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>CAD (like SolidWorks)</source>
+        <translation>CAD（类似 SolidWorks）</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>触控板</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5919,10 +6075,6 @@
         <translation>单击选择样片，拖动在布局中移动</translation>
     </message>
     <message>
-        <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation>单击选择，拖出选框选择多个——中键或空格平移，滚轮缩放</translation>
-    </message>
-    <message>
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
         <translation>单击选择曲线，拖动移动，双击在此添加控制点</translation>
     </message>
@@ -5961,6 +6113,10 @@
     <message>
         <source>Drag the label to where it can be read, click to select the patch</source>
         <translation>将标签拖到便于阅读之处，单击选择样片</translation>
+    </message>
+    <message>
+        <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
+        <translation>单击选择，拖出选框选择多个——%1 或空格平移，%2 缩放</translation>
     </message>
 </context>
 <context>
@@ -6046,10 +6202,6 @@
         <translation>已旋转 %1°——Ctrl 捕捉到 15°，Esc 取消</translation>
     </message>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
-        <translation>已移动 x %1，y %2，z %3 mm——Ctrl 捕捉到 10 mm，Esc 取消</translation>
-    </message>
-    <message>
         <source>Drag to move it along this axis</source>
         <translation>拖动以沿此轴移动</translation>
     </message>
@@ -6060,6 +6212,324 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>拖动以平行于画面移动</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 – Ctrl snaps to %4, Escape cancels</source>
+        <translation>已移动 x %1，y %2，z %3——Ctrl 捕捉到 %4，Esc 取消</translation>
+    </message>
+</context>
+<context>
+    <name>PreferenceCommands</name>
+    <message>
+        <source>Pre&amp;ferences …</source>
+        <translation>首选项(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Units, language, theme, mouse, keys and more</source>
+        <translation>单位、语言、主题、鼠标、按键等</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Millimetres (314 mm)</source>
+        <translation>毫米 (314 mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (31.4 cm)</source>
+        <translation>厘米 (31.4 cm)</translation>
+    </message>
+    <message>
+        <source>Inches (12 3/8″)</source>
+        <translation>英寸 (12 3/8″)</translation>
+    </message>
+    <message>
+        <source>Up to 1/8</source>
+        <translation>精确到 1/8</translation>
+    </message>
+    <message>
+        <source>Up to 1/16</source>
+        <translation>精确到 1/16</translation>
+    </message>
+    <message>
+        <source>Up to 1/32</source>
+        <translation>精确到 1/32</translation>
+    </message>
+    <message>
+        <source>Up to 1/64</source>
+        <translation>精确到 1/64</translation>
+    </message>
+    <message>
+        <source>Decimals (12.375)</source>
+        <translation>小数 (12.375)</translation>
+    </message>
+    <message>
+        <source>Of the language</source>
+        <translation>按语言</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>逗号 (1,5)</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>点 (1.5)</translation>
+    </message>
+    <message>
+        <source>Of the system</source>
+        <translation>系统语言</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>完整</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>降低</translation>
+    </message>
+    <message>
+        <source>Plain, as it comes</source>
+        <translation>素色，默认</translation>
+    </message>
+    <message>
+        <source>Units and numbers</source>
+        <translation>单位和数字</translation>
+    </message>
+    <message>
+        <source>Language and looks</source>
+        <translation>语言和外观</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>Pattern view</source>
+        <translation>样板视图</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>未保存的工作</translation>
+    </message>
+    <message>
+        <source>New designs</source>
+        <translation>新设计</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>长度单位</translation>
+    </message>
+    <message>
+        <source>unit measure metric imperial millimetre centimetre inch</source>
+        <translation>单位 度量 公制 英制 毫米 厘米 英寸 长度</translation>
+    </message>
+    <message>
+        <source>How lengths are shown. Whatever it is, you may type others: 3 in, 2.5 cm, 1&apos; 2 3/8&quot;. Designs keep millimetres, and so do printed sheets and files.</source>
+        <translation>长度的显示方式。无论如何设置，都可输入其他单位：“3 in”、“2.5 cm”、“1&apos; 2 3/8&quot;”。设计始终使用毫米，打印的图纸和文件也是如此。</translation>
+    </message>
+    <message>
+        <source>Parts of an inch</source>
+        <translation>英寸分数</translation>
+    </message>
+    <message>
+        <source>fraction imperial 1/16 decimals</source>
+        <translation>分数 英制 1/16 小数</translation>
+    </message>
+    <message>
+        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
+        <translation>显示最接近的分数，但不会因此取整；过短而无法用分数表示的显示小数。</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>小数点符号</translation>
+    </message>
+    <message>
+        <source>comma point dot separator numbers</source>
+        <translation>逗号 点 小数点 分隔符 数字</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>translation words english german deutsch</source>
+        <translation>翻译 文字 中文 英语 德语 language english</translation>
+    </message>
+    <message>
+        <source>Bolster speaks it when it is started the next time.</source>
+        <translation>下次启动 Bolster 时生效。</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>colours dark light contrast night appearance accessibility</source>
+        <translation>颜色 深色 浅色 暗色 对比度 夜间 外观 无障碍</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size of the letters</source>
+        <translation>文字大小</translation>
+    </message>
+    <message>
+        <source>font text large small zoom scale accessibility</source>
+        <translation>字体 字号 文本 大 小 缩放 无障碍</translation>
+    </message>
+    <message>
+        <source>Move the views as in</source>
+        <translation>视图操作方式同</translation>
+    </message>
+    <message>
+        <source>navigation rotate turn pan zoom buttons trackpad orbit preset</source>
+        <translation>导航 旋转 转动 平移 缩放 按键 触控板 环绕 预设</translation>
+    </message>
+    <message>
+        <source>Zoom the other way round</source>
+        <translation>反转缩放方向</translation>
+    </message>
+    <message>
+        <source>invert wheel scroll reverse direction</source>
+        <translation>反转 滚轮 滚动 反向 方向</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>按键同</translation>
+    </message>
+    <message>
+        <source>shortcuts hotkeys preset</source>
+        <translation>快捷键 热键 预设</translation>
+    </message>
+    <message>
+        <source>Some commands get the keys that you know from there. Keys that you have chosen yourself stay.</source>
+        <translation>部分命令采用您在该软件中熟悉的按键。您自选的按键保持不变。</translation>
+    </message>
+    <message>
+        <source>Snap to points, edges, guides and the grid</source>
+        <translation>捕捉到点、边、参考线和栅格</translation>
+    </message>
+    <message>
+        <source>magnet catch align</source>
+        <translation>磁吸 吸附 捕捉 对齐</translation>
+    </message>
+    <message>
+        <source>Ctrl or Alt lets go while you drag.</source>
+        <translation>拖动时按 Ctrl 或 Alt 可暂停捕捉。</translation>
+    </message>
+    <message>
+        <source>Show rulers</source>
+        <translation>显示标尺</translation>
+    </message>
+    <message>
+        <source>scale measure</source>
+        <translation>刻度 测量 尺寸</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>显示参考线</translation>
+    </message>
+    <message>
+        <source>lines help</source>
+        <translation>线 辅助线</translation>
+    </message>
+    <message>
+        <source>Quality of the picture</source>
+        <translation>画面质量</translation>
+    </message>
+    <message>
+        <source>performance slow fast remote desktop graphics opengl</source>
+        <translation>性能 慢 快 远程桌面 图形 显卡 opengl</translation>
+    </message>
+    <message>
+        <source>Reduced: fewer pixels and triangles, no soft shadows. For slow machines and for screens that are far away. Pictures that you export stay fine.</source>
+        <translation>降低：减少像素和三角形，无柔和阴影。适用于较慢的电脑和远程屏幕。导出的图片仍保持精细。</translation>
+    </message>
+    <message>
+        <source>Go to other views at once, without a flight</source>
+        <translation>立即切换视图，不用过渡动画</translation>
+    </message>
+    <message>
+        <source>reduced motion animation camera accessibility remote</source>
+        <translation>减少动态效果 动画 相机 无障碍 远程</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> 天</translation>
+    </message>
+    <message>
+        <source>Keep work that was thrown away for</source>
+        <translation>丢弃的工作保留</translation>
+    </message>
+    <message>
+        <source>autosave backup recovery crash journal bin unsaved delete</source>
+        <translation>自动保存 备份 恢复 崩溃 日志 回收站 未保存 删除</translation>
+    </message>
+    <message>
+        <source>Every step is on the disk as soon as it is done, so there is no interval to set. Unsaved work stays until you open it again or throw it away; after that it lies in the bin for at least 30 days.</source>
+        <translation>每一步完成后立即写入磁盘，因此无需设置间隔。未保存的工作会一直保留，直到您重新打开或丢弃；此后在回收站中至少保留 30 天。</translation>
+    </message>
+    <message>
+        <source>Fabric of new patches</source>
+        <translation>新样片的面料</translation>
+    </message>
+    <message>
+        <source>default material leather weave colour</source>
+        <translation>默认 材料 面料 皮革 机织物 颜色</translation>
+    </message>
+    <message>
+        <source>A new design begins with it, and patches are made of a design&apos;s first fabric.</source>
+        <translation>新设计以此面料开始，样片采用设计的第一种面料。</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>缝份</translation>
+    </message>
+    <message>
+        <source>default cutting margin hem width</source>
+        <translation>默认 裁剪 余量 折边 缝头 宽度</translation>
+    </message>
+    <message>
+        <source>New designs begin with it; in a design it is changed in its properties.</source>
+        <translation>新设计以此值开始；在设计中可于其属性中更改。</translation>
+    </message>
+    <message>
+        <source>Folder of your fabrics</source>
+        <translation>您的面料文件夹</translation>
+    </message>
+    <message>
+        <source>library directory path import export picture swatch</source>
+        <translation>面料库 目录 路径 导入 导出 图片 色卡</translation>
+    </message>
+    <message>
+        <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
+        <translation>优先在此查找面料及其图片。未设置时为设计所在的文件夹。</translation>
     </message>
 </context>
 <context>
@@ -6625,7 +7095,7 @@
     </message>
     <message>
         <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
-        <translation>明线用线 &lt;span style=&quot;background-color:%1&quot;&gt;    &lt;/span&gt; %1</translation>
+        <translation>明线用线 &lt;span style=&quot;background-color:%1&quot;&gt;&#xa0;&#xa0;&#xa0;&#xa0;&lt;/span&gt; %1</translation>
     </message>
     <message>
         <source>%1 m, at %2 m for each metre of a row</source>
@@ -6720,6 +7190,57 @@
     </message>
 </context>
 <context>
+    <name>StartCommands</name>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>开始页(&amp;G)</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>新建窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>No other window could be opened.</source>
+        <translation>无法打开另一窗口。</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again. Close some programs, and try once more.</source>
+        <translation>系统未能再次启动程序。请关闭一些程序后重试。</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem …</source>
+        <translation>报告问题(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>What&apos;s &amp;new</source>
+        <translation>新增功能(&amp;N)</translation>
+    </message>
+    <message>
+        <source>This is Bolster %1. What is new is under Help &gt; What&apos;s new.</source>
+        <translation>这是 Bolster %1。新增功能见“帮助 &gt; 新增功能”。</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>显示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch.</source>
+        <translation>骨架已在三维视图中。请在其上绘制固定布料的曲线，或绘制第一个样片。</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;fixation curve</source>
+        <translation>绘制固定曲线(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;rectangle</source>
+        <translation>绘制矩形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pattern of a form …</source>
+        <translation>由形体生成样板…</translation>
+    </message>
+</context>
+<context>
     <name>StretchEndDrag</name>
     <message>
         <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
@@ -6751,6 +7272,112 @@
     <message>
         <source>&amp;Figures …</source>
         <translation>数据(&amp;F)…</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWindow</name>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>裁剪(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Each piece is cut so much larger or smaller all around</source>
+        <translation>每个样片四周裁得偏大或偏小的量</translation>
+    </message>
+    <message>
+        <source>Cut of %1</source>
+        <translation>%1 的裁剪</translation>
+    </message>
+    <message>
+        <source>S&amp;eams</source>
+        <translation>接缝(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Each seam is sewn so much farther inside or outside, on both sides</source>
+        <translation>每条接缝在两侧偏内或偏外缝合的量</translation>
+    </message>
+    <message>
+        <source>Seam %1</source>
+        <translation>接缝 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Foam</source>
+        <translation>泡沫(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Each cushion and foam is so much thicker or thinner</source>
+        <translation>每个软垫和泡沫偏厚或偏薄的量</translation>
+    </message>
+    <message>
+        <source>Thickness of %1</source>
+        <translation>%1 的厚度</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xations</source>
+        <translation>固定(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Each fixation curve lies so much elsewhere, along each axis</source>
+        <translation>每条固定曲线沿各轴偏移的量</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>%1 的位置</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness</source>
+        <translation>刚度(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Each fabric is so much stiffer or softer</source>
+        <translation>每种面料偏硬或偏软的程度</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>%1 的刚度</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rinkage</source>
+        <translation>收缩(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Each piece shrinks or stretches by so much</source>
+        <translation>每个样片收缩或拉伸的程度</translation>
+    </message>
+    <message>
+        <source>Shrinkage of %1</source>
+        <translation>%1 的收缩</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Cushion</source>
+        <translation>靠垫</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>圆枕</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>长凳</translation>
+    </message>
+    <message>
+        <source>Dining chair</source>
+        <translation>餐椅</translation>
+    </message>
+    <message>
+        <source>Wing chair</source>
+        <translation>翼背椅</translation>
+    </message>
+    <message>
+        <source>Car seat</source>
+        <translation>汽车座椅</translation>
+    </message>
+    <message>
+        <source>Headrest</source>
+        <translation>头枕</translation>
     </message>
 </context>
 <context>
@@ -6830,6 +7457,105 @@
     <message>
         <source>Draw &amp;dart</source>
         <translation>绘制省道(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>导览(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Drag a curve on the frame</source>
+        <translation>拖动骨架上的曲线</translation>
+    </message>
+    <message>
+        <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
+        <translation>骨架上的彩色曲线是布料固定之处。单击其中一条，再拖动其上一点：面套随之变化。</translation>
+    </message>
+    <message>
+        <source>The cover follows while you drag, and comes to rest when you let go.</source>
+        <translation>拖动时面套随之变化，松开后静止。</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>撤销操作</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, or this button, takes back whatever was done, as far as you like. Nothing is lost by it: the history keeps what was undone, too.</source>
+        <translation>Ctrl+Z 或此按钮可撤销已做的任何操作，步数不限。内容不会丢失：历史也保留已撤销的步骤。</translation>
+    </message>
+    <message>
+        <source>It is as it was. Undone steps are still in the history.</source>
+        <translation>已恢复原样。撤销的步骤仍在历史中。</translation>
+    </message>
+    <message>
+        <source>Choose a seam</source>
+        <translation>选择接缝</translation>
+    </message>
+    <message>
+        <source>Seams join two edges of the pattern. Click one, in the pattern or on the cover: both of its edges light up, and the cover shows where it is.</source>
+        <translation>接缝连接样板的两条边。在样板中或面套上单击一条：其两条边都会亮起，面套显示其位置。</translation>
+    </message>
+    <message>
+        <source>Its properties are at the right now.</source>
+        <translation>其属性现已显示在右侧。</translation>
+    </message>
+    <message>
+        <source>Change how it is sewn</source>
+        <translation>更改缝法</translation>
+    </message>
+    <message>
+        <source>With the seam selected, choose another continuity in its properties, or another stitching: an edge, a rounded seam or a smooth one.</source>
+        <translation>选中接缝后，在其属性中选择其他连续性或明线：有棱边、圆顺或平滑的接缝。</translation>
+    </message>
+    <message>
+        <source>The cover shows the seam as it will be sewn.</source>
+        <translation>面套按缝制后的样子显示接缝。</translation>
+    </message>
+    <message>
+        <source>Look at the strain</source>
+        <translation>查看应变</translation>
+    </message>
+    <message>
+        <source>View &gt; Map colours the cover by what the cloth has to bear. Choose Largest strain to see where it is stretched most.</source>
+        <translation>“视图 &gt; 云图”按布料的承受情况为面套着色。选择“最大应变”可查看拉伸最大之处。</translation>
+    </message>
+    <message>
+        <source>The legend says how much, and the pointer reads it at any place.</source>
+        <translation>图例显示大小，指针可读取任意位置的值。</translation>
+    </message>
+    <message>
+        <source>Change the pattern</source>
+        <translation>更改样板</translation>
+    </message>
+    <message>
+        <source>Drag a point of an outline, or cut a dart (Pattern &gt; Draw dart): what you change in the flat is sewn at once.</source>
+        <translation>拖动轮廓上的点，或绘制省道（“样板 &gt; 绘制省道”）：平面上的更改会立即缝合到面套。</translation>
+    </message>
+    <message>
+        <source>Seams keep their places on an outline that changes.</source>
+        <translation>轮廓更改时，接缝保持其位置。</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>带走成果</translation>
+    </message>
+    <message>
+        <source>File &gt; Export pattern writes DXF, PDF or SVG with seam allowances and notches; Export cover writes the cover for others.</source>
+        <translation>“文件 &gt; 导出样板”写出带缝份和剪口的 DXF、PDF 或 SVG；“导出面套”写出供他人使用的面套。</translation>
+    </message>
+    <message>
+        <source>The file is written.</source>
+        <translation>文件已写入。</translation>
+    </message>
+    <message>
+        <source>That was the tour</source>
+        <translation>导览结束</translation>
+    </message>
+    <message>
+        <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
+        <translation>您已了解样板、接缝和骨架如何形成面套。现在开始自己的设计：“文件 &gt; 开始页”有模板。各按键的作用见“帮助 &gt; 键盘与鼠标”。</translation>
     </message>
 </context>
 <context>
@@ -6954,16 +7680,24 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
-    </message>
-    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -7091,6 +7825,32 @@
         <source>Select patches, curves, frames, foam or scans to hide them.</source>
         <translation>选择要隐藏的样片、曲线、骨架、泡沫或扫描。</translation>
     </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>高对比度(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPrint</name>
+    <message>
+        <source>Print the view</source>
+        <translation>打印视图</translation>
+    </message>
+    <message>
+        <source>The view could not be printed.</source>
+        <translation>无法打印视图。</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing at the moment. Look whether it is on and has paper, or print to a file.</source>
+        <translation>打印机目前不接收任务。请检查是否已开机并有纸，或打印到文件。</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsNew</name>
+    <message>
+        <source>What&apos;s new</source>
+        <translation>新增功能</translation>
+    </message>
 </context>
 <context>
     <name>WindowCommands</name>
@@ -7119,6 +7879,115 @@
     <message>
         <source>Drawn in software</source>
         <translation>软件绘制</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CauseWindow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Why is it so?</source>
+        <translation>为何如此？</translation>
+    </message>
+    <message>
+        <source>The scan of the piece</source>
+        <translation>实物的扫描</translation>
+    </message>
+    <message>
+        <source>The scan of a sound piece</source>
+        <translation>合格件的扫描</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Of a piece that is as it should be: where that lies elsewhere than the cover no cause is looked for</source>
+        <translation>合格件即符合要求的一件：其与面套不一致之处不再查找原因</translation>
+    </message>
+    <message>
+        <source>Scan of the &amp;piece</source>
+        <translation>实物的扫描(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Scan of a so&amp;und piece</source>
+        <translation>合格件的扫描(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Look for the &amp;cause</source>
+        <translation>查找原因(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Looking for a cause …</source>
+        <translation>正在查找原因…</translation>
+    </message>
+    <message>
+        <source>Says which one cause explains best how far a built piece lies from the cover: foam, a seam&apos;s allowance, a stretched piece, a fixation off its place, a slipped notch.</source>
+        <translation>说明哪一个原因最能解释实物与面套的距离：泡沫、接缝的缝份、样片被拉伸、固定偏移、剪口错位。</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>解释比例</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>概率</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Choose the scan of the piece that was built.</source>
+        <translation>请选择实物的扫描。</translation>
+    </message>
+    <message>
+        <source>Covers with each cause are solved …</source>
+        <translation>正在求解含各原因的面套…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>The scan shows nothing of the cover: does it lie where the design is?</source>
+        <translation>扫描中没有面套的任何部分：其位置与设计一致吗？</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.</source>
+        <translation>扫描覆盖面套的 %1，与其相距 %2（均方根）。计入所有原因后剩余 %3。</translation>
+    </message>
+    <message>
+        <source>No single cause explains that better than noise does.</source>
+        <translation>没有单一原因比噪声更能解释。</translation>
+    </message>
+    <message>
+        <source>Most of the deviation has no cause of these kinds, so the first need not be the right one: give the scan of a sound piece, too.</source>
+        <translation>大部分偏差不属于这几类原因，因此首个原因未必正确：请同时提供合格件的扫描。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n others</source>
+        <translation>
+            <numerusform>及其他 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan does not tell it apart from: %1</source>
+        <translation>扫描无法将其与以下原因区分：%1</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>设计在此期间已更改：请重新查找。</translation>
     </message>
 </context>
 <context>
@@ -7216,10 +8085,6 @@
 <context>
     <name>bolster::CoverSelectTool</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>已移动 x %1，y %2，z %3 mm</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>限于一个轴；再按同一键解除</translation>
     </message>
@@ -7234,6 +8099,10 @@
     <message>
         <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
         <translation>X、Y、Z 或 Shift 限于一个轴，S 留在骨架上，Ctrl 抬离，Esc 取消</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3</source>
+        <translation>已移动 x %1，y %2，z %3</translation>
     </message>
 </context>
 <context>
@@ -7301,6 +8170,29 @@
     </message>
 </context>
 <context>
+    <name>bolster::DropFlow</name>
+    <message>
+        <source>&quot;%1&quot; cannot be opened.</source>
+        <translation>无法打开“%1”。</translation>
+    </message>
+    <message>
+        <source>The system did not start the program again for another window. Open it from here instead.</source>
+        <translation>系统未能为另一窗口再次启动程序。请改为在此处打开。</translation>
+    </message>
+    <message>
+        <source>It is a folder. Drop the files that are in it.</source>
+        <translation>这是文件夹。请拖入其中的文件。</translation>
+    </message>
+    <message>
+        <source>It is not on this computer, or not any more. Save it to a folder first.</source>
+        <translation>它不在此电脑上，或已不存在。请先将其保存到文件夹。</translation>
+    </message>
+    <message>
+        <source>Bolster opens projects and designs (%1), frames (%2), scans (%3), patterns (%4) and pictures of fabrics (%5). Save it in one of these formats with the program it comes from.</source>
+        <translation>Bolster 可打开项目和设计 (%1)、骨架 (%2)、扫描 (%3)、样板 (%4) 和面料图片 (%5)。请用来源程序将其保存为其中一种格式。</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsModel</name>
     <message>
         <source>Hidden in the 3D view</source>
@@ -7312,6 +8204,10 @@
     <message>
         <source>Find an element</source>
         <translation>查找元素</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>元素</translation>
     </message>
 </context>
 <context>
@@ -7417,12 +8313,6 @@
         <translation>钻孔(&amp;D)</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces on %1 x %2 mm</source>
-        <translation>
-            <numerusform>%n 个样片，%1 x %2 mm</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pages</source>
         <translation>
             <numerusform>%n 页</numerusform>
@@ -7461,6 +8351,12 @@
     <message>
         <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
         <translation>双击将离开此窗口并显示所在位置；完整列表在“裁剪前检查”面板中。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1</source>
+        <translation>
+            <numerusform>%n 个样片，%1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7669,15 +8565,15 @@
         <source>turned by %1</source>
         <translation>旋转 %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points, %1 mm</source>
-        <translation>
-            <numerusform>%n 个点，%1 mm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1，从 %2 到 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1</source>
+        <translation>
+            <numerusform>%n 个点，%1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8003,10 +8899,6 @@
         <translation>打开恢复的内容(&amp;R)</translation>
     </message>
     <message>
-        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
-        <translation>可读取的内容将放入新项目。不再需要的内容放入回收站 30 天后删除。</translation>
-    </message>
-    <message>
         <source>Put it into the &amp;bin</source>
         <translation>放入回收站(&amp;B)</translation>
     </message>
@@ -8110,6 +9002,12 @@
         <source>The pattern is imported. What is otherwise than in the file:</source>
         <translation>样板已导入。与文件不同之处：</translation>
     </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>可读取的内容将放入新项目。不再需要的内容放入回收站 %n 天后删除。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -8162,16 +9060,8 @@
         <translation>宽、深、高</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>这对家具而言不常见：请检查单位。</translation>
-    </message>
-    <message>
-        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
-        <translation>文件有 %1 个点，超出贴合面套所需，因此已抽稀为每 %2 mm 一个。</translation>
     </message>
     <message>
         <source>&amp;Keep scale, position and rotation</source>
@@ -8244,8 +9134,12 @@
         <translation>保持位置和旋转(&amp;K)</translation>
     </message>
     <message>
-        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
-        <translation>原大小 %1 mm，将变为 %2 mm：请检查单位。</translation>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2.</source>
+        <translation>文件有 %1 个点，超过贴合面套所需，因此已抽稀为每 %2 一个点。</translation>
+    </message>
+    <message>
+        <source>It was %1 large and becomes %2: check the unit.</source>
+        <translation>原来大小为 %1，现为 %2：请检查单位。</translation>
     </message>
 </context>
 <context>
@@ -8253,6 +9147,17 @@
     <message>
         <source>Pieces laid flat</source>
         <translation>展平的样片</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
+        <translation>网格和扫描 (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -8411,6 +9316,10 @@
         <source>Find a change or a version</source>
         <translation>查找更改或版本</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
 </context>
 <context>
     <name>bolster::HistoryView</name>
@@ -8486,10 +9395,6 @@
         <translation>文件有两种线时，以何者作为样片轮廓。</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
         <translation>端点相距不超过此值的轮廓以直线闭合。</translation>
     </message>
@@ -8522,16 +9427,8 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1 – %2 × %3 mm</source>
-        <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message numerus="yes">
         <source>, %n pairs</source>
@@ -8543,12 +9440,6 @@
         <source>, %n times</source>
         <translation>
             <numerusform>，%n 次</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
-        <translation>
-            <numerusform>%n 个轮廓未闭合：其端点最多相距 %1 mm。若确为轮廓，请将闭合缺口上限设为此值。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8585,6 +9476,27 @@
         <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
         <translation>%1 有 %2 个样片；一次最多导入 %3 个：已选前面的。</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1——%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n 个轮廓未闭合：其端点最多相距 %1。若确为轮廓，请将闭合缺口上限设为此值。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::JobsPanel</name>
+    <message>
+        <source>Nothing is being worked at.</source>
+        <translation>当前没有任务。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8595,14 +9507,6 @@
     <message>
         <source>Messages</source>
         <translation>消息</translation>
-    </message>
-    <message>
-        <source>x %1   y %2 mm</source>
-        <translation>x %1   y %2 mm</translation>
-    </message>
-    <message>
-        <source>x %1   y %2   z %3 mm</source>
-        <translation>x %1   y %2   z %3 mm</translation>
     </message>
     <message>
         <source>%1[*] – Bolster</source>
@@ -8633,6 +9537,65 @@
         <translation>
             <numerusform>样板中有 %n 个样片。“接缝 &gt; 建议接缝”可找出相配的边。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Bolster is still working at something.</source>
+        <translation>Bolster 仍在处理任务。</translation>
+    </message>
+    <message>
+        <source>What is closed now is not finished; files that are being written stay as they were.</source>
+        <translation>现在关闭则任务不会完成；正在写入的文件保持原样。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>停止并关闭(&amp;S)</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3</source>
+        <translation>x %1   y %2   z %3</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>后退 (Alt+左)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>前进 (Alt+右)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>Find in all pages</source>
+        <translation>在所有页面中查找</translation>
+    </message>
+    <message>
+        <source>The manual has no page &quot;%1&quot;.</source>
+        <translation>手册中没有页面“%1”。</translation>
     </message>
 </context>
 <context>
@@ -9106,10 +10069,6 @@
         <translation>角点角度(&amp;G)</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>No point &amp;moves farther than</source>
         <translation>点移动不超过(&amp;M)</translation>
     </message>
@@ -9134,16 +10093,8 @@
         <translation>采用多少(&amp;H)</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
         <source>The form that the cover shall lie on</source>
         <translation>面套要贴合的形体</translation>
-    </message>
-    <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>网格和扫描 (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Choose the scan or the file that the cover shall lie on.</source>
@@ -9160,10 +10111,6 @@
     <message>
         <source>Stopped; nothing has changed.</source>
         <translation>已停止；没有任何更改。</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>停止(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Find changes</source>
@@ -9223,6 +10170,66 @@
         <source>With all of the changes:</source>
         <translation>采用全部更改后：</translation>
     </message>
+    <message>
+        <source>Fitting the pattern …</source>
+        <translation>正在拟合样板…</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>所选样片无褶皱(&amp;N)</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>其布料不受挤压；未选择时：全部</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>所选接缝沿曲线(&amp;U)</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>在骨架或形体上绘制的曲线；无需起固定作用</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>面积比例</translation>
+    </message>
+    <message>
+        <source>Selected patches &amp;keep of their area</source>
+        <translation>所选样片保留面积(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>小于 100%：样片变小</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>请选择要沿曲线的接缝。</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>请选择要变大或变小的样片。</translation>
+    </message>
+    <message>
+        <source>Changing the pattern …</source>
+        <translation>正在更改样板…</translation>
+    </message>
+    <message>
+        <source>Pressed together: %1 before, %2 now</source>
+        <translation>受挤压：之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>From the curve: %1 before, %2 now (rms)</source>
+        <translation>距曲线：之前 %1，现在 %2（均方根）</translation>
+    </message>
+    <message>
+        <source>Off the area that is wanted: %1 before, %2 now</source>
+        <translation>与目标面积相差：之前 %1，现在 %2</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -9233,6 +10240,237 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>向右拖动得到竖直参考线。刻度标记移动水平参考线；拖出即删除。</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PreferencesWindow</name>
+    <message>
+        <source>Preferences (*.json)</source>
+        <translation>首选项 (*.json)</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>没有设置包含这些词。</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>查找设置</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit single shortcuts …</source>
+        <translation>编辑单个快捷键(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Back to &amp;defaults</source>
+        <translation>恢复默认值(&amp;D)</translation>
+    </message>
+    <message>
+        <source>All settings of this page</source>
+        <translation>此页的所有设置</translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Export preferences</source>
+        <translation>导出首选项</translation>
+    </message>
+    <message>
+        <source>Bolster preferences.json</source>
+        <translation>Bolster 首选项.json</translation>
+    </message>
+    <message>
+        <source>Import preferences</source>
+        <translation>导入首选项</translation>
+    </message>
+    <message>
+        <source>The preferences could not be exported.</source>
+        <translation>无法导出首选项。</translation>
+    </message>
+    <message>
+        <source>Nothing was imported from &quot;%1&quot;; all settings are as they were.</source>
+        <translation>未从“%1”导入任何内容；所有设置保持原样。</translation>
+    </message>
+    <message>
+        <source>The preferences were imported.</source>
+        <translation>已导入首选项。</translation>
+    </message>
+    <message numerus="yes">
+        <source>This version of Bolster does not know %n of them: %1</source>
+        <translation>
+            <numerusform>此版本的 Bolster 不认识其中 %n 项：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>在三维视图中</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>样板中</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>F1: what it means, and what to do</source>
+        <translation>F1：含义及处理方法</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReliefWindow</name>
+    <message>
+        <source>Relieve strain</source>
+        <translation>释放应变</translation>
+    </message>
+    <message>
+        <source>&amp;Look for changes</source>
+        <translation>查找更改(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Looking for what relieves strain …</source>
+        <translation>正在查找可释放应变的更改…</translation>
+    </message>
+    <message>
+        <source>Where cloth is strained or pressed together more than it may be, changes of the pattern are tried, and the best are solved.</source>
+        <translation>在布料应变或受挤压超出允许之处，尝试更改样板，并求解其中最好的更改。</translation>
+    </message>
+    <message>
+        <source>Proposed changes</source>
+        <translation>建议的更改</translation>
+    </message>
+    <message>
+        <source>Strain is at &amp;most</source>
+        <translation>应变不超过(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Else the limits of the fabrics count</source>
+        <translation>否则以面料的极限为准</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>应变极限</translation>
+    </message>
+    <message>
+        <source>Edges move &amp;by at most</source>
+        <translation>边最多移动(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Trying changes …</source>
+        <translation>正在尝试更改…</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing has changed.</source>
+        <translation>已停止；没有任何更改。</translation>
+    </message>
+    <message>
+        <source>Nothing is strained over the limit.</source>
+        <translation>没有应变超过极限之处。</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit. No change relieves it.</source>
+        <translation>面套的 %1 超过极限。没有更改可释放应变。</translation>
+    </message>
+    <message>
+        <source>Each is solved by itself; &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>各项单独求解；“执行”是一个步骤，可撤销。</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>当前状态</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit.</source>
+        <translation>面套的 %1 超过极限。</translation>
+    </message>
+    <message>
+        <source>%1 less strain over the limit</source>
+        <translation>超过极限的应变减少 %1</translation>
+    </message>
+    <message>
+        <source>%1 more strain over the limit</source>
+        <translation>超过极限的应变增加 %1</translation>
+    </message>
+    <message>
+        <source>%1 less of the cover over it</source>
+        <translation>超过极限的面套减少 %1</translation>
+    </message>
+    <message>
+        <source>%1 more of the cover over it</source>
+        <translation>超过极限的面套增加 %1</translation>
+    </message>
+    <message>
+        <source>Sewn: %1 more</source>
+        <translation>缝合：多 %1</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by %1 more</source>
+        <translation>接缝两侧多相差 %1</translation>
+    </message>
+    <message>
+        <source>Outlines change by %1</source>
+        <translation>轮廓改变 %1</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>显示位置</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>执行</translation>
+    </message>
+    <message>
+        <source>Make it: %1</source>
+        <translation>执行：%1</translation>
+    </message>
+    <message>
+        <source>Made. Undo takes it back; look again to see what helps now.</source>
+        <translation>已执行。可撤销；再次查找可了解现在何种更改有效。</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again.</source>
+        <translation>设计在此期间已更改：请重新查找。</translation>
     </message>
 </context>
 <context>
@@ -9405,6 +10643,96 @@
         <source>Open its folder</source>
         <translation>打开其文件夹</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>What was made</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Drawing %1 …</source>
+        <translation>正在绘制 %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>报告问题</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, and what should have happened?</source>
+        <translation>您做了什么，发生了什么，本应发生什么？</translation>
+    </message>
+    <message>
+        <source>&amp;What happened:</source>
+        <translation>发生了什么(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>&amp;Add the design (&quot;%1&quot;), without its frames, scans and pictures</source>
+        <translation>附上设计（“%1”），不含其骨架、扫描和图片(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What the &amp;report says besides:</source>
+        <translation>报告中的其他内容(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>写入报告…</translation>
+    </message>
+    <message>
+        <source>This writes a file that you can give to those who can help. Bolster sends nothing.</source>
+        <translation>将写入一个文件，您可将其交给能提供帮助的人。Bolster 不发送任何内容。</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>尚不清楚</translation>
+    </message>
+    <message>
+        <source>Messages of this run:</source>
+        <translation>本次运行的消息：</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>（无）</translation>
+    </message>
+    <message>
+        <source>The last crash:</source>
+        <translation>上次崩溃：</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>写入报告</translation>
+    </message>
+    <message>
+        <source>ZIP (*.zip)</source>
+        <translation>ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation>报告已写入：%1</translation>
+    </message>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>无法写入报告：%1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RunRow</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ScanLink</name>
@@ -9460,10 +10788,6 @@
         <translation>正在查找相配的边…</translation>
     </message>
     <message>
-        <source>%1 and %2 mm</source>
-        <translation>%1 和 %2 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1%</translation>
     </message>
@@ -9482,6 +10806,10 @@
     <message>
         <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
         <translation>50% 及以上的接缝。已缝合的接缝可推断其相邻接缝的归属。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
     </message>
 </context>
 <context>
@@ -9572,6 +10900,10 @@
     <message>
         <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
         <translation>还没有接缝。请选择缝合工具 (W)，然后单击相配的两条边。</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>接缝</translation>
     </message>
 </context>
 <context>
@@ -9733,6 +11065,10 @@
         <source>%1 it is.</source>
         <translation>已设为 %1。</translation>
     </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ShownPattern</name>
@@ -9855,6 +11191,101 @@
     </message>
 </context>
 <context>
+    <name>bolster::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>开始页</translation>
+    </message>
+    <message>
+        <source>Welcome to Bolster</source>
+        <translation>欢迎使用 Bolster</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>开始导览</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Back to the design</source>
+        <translation>返回设计</translation>
+    </message>
+    <message>
+        <source>What do you have?</source>
+        <translation>您有什么？</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>骨架</translation>
+    </message>
+    <message>
+        <source>The cover is fixed on it: %1</source>
+        <translation>面套固定在其上：%1</translation>
+    </message>
+    <message>
+        <source>A pattern</source>
+        <translation>样板</translation>
+    </message>
+    <message>
+        <source>Its pieces become the cover: %1</source>
+        <translation>其样片构成面套：%1</translation>
+    </message>
+    <message>
+        <source>A scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>The cover is fitted to it: %1</source>
+        <translation>面套贴合到其上：%1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, the first patch</source>
+        <translation>绘制矩形，即第一个样片</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>清空此列表</translation>
+    </message>
+    <message>
+        <source>Take it out of this list; the file stays</source>
+        <translation>从此列表中移除；文件保留</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>未保存的工作</translation>
+    </message>
+    <message>
+        <source>Kept for later, last edit %1</source>
+        <translation>留待以后，上次编辑 %1</translation>
+    </message>
+    <message>
+        <source>Left by a crash, last edit %1</source>
+        <translation>崩溃后遗留，上次编辑 %1</translation>
+    </message>
+    <message>
+        <source>Begin with a template</source>
+        <translation>从模板开始</translation>
+    </message>
+    <message>
+        <source>Look at a sample</source>
+        <translation>查看示例</translation>
+    </message>
+    <message>
+        <source>It is not there now</source>
+        <translation>目前不在该处</translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
@@ -9917,13 +11348,13 @@
 • A piece that nothing holds: fix one of its edges, or sew it on.
 • A seam whose two sides differ much in length: make them more alike.
 • A very long or very narrow piece: divide it, or make it wider.
-• High pressure: lower it in the properties of the design.
+• High pressure: lower it in the properties of the patch.
 What you see is where the cloth was at the end.</source>
         <translation>布料一直移动到计算结束。通常原因：
 • 样片没有任何固定：请固定其一条边，或将其缝上。
 • 接缝两侧长度相差很大：请使其更接近。
 • 样片过长或过窄：请将其划分，或加宽。
-• 压力过高：请在设计属性中降低。
+• 压力过高：请在样片属性中降低。
 您看到的是布料结束时的位置。</translation>
     </message>
     <message>
@@ -9940,10 +11371,172 @@ What you see is where the cloth was at the end.</source>
     </message>
 </context>
 <context>
+    <name>bolster::SweepWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>&amp;Draw pieces</source>
+        <translation>抽取样件(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Solving pieces within tolerances …</source>
+        <translation>正在求解公差范围内的样件…</translation>
+    </message>
+    <message>
+        <source>Pieces are drawn at random within their tolerances: where does the cover vary, which tolerance matters, how many pieces are out of the limit?</source>
+        <translation>在公差范围内随机抽取样件：面套在何处有差异，哪项公差影响大，有多少样件超出极限？</translation>
+    </message>
+    <message>
+        <source>&amp;Show on the cover what 95 % of the pieces do not exceed</source>
+        <translation>在面套上显示 95% 的样件不超过的值(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>方差占比</translation>
+    </message>
+    <message>
+        <source>Moves by at most</source>
+        <translation>最大移动量</translation>
+    </message>
+    <message>
+        <source>Tolerances by their influence</source>
+        <translation>按影响排列的公差</translation>
+    </message>
+    <message>
+        <source>Tolerances (±); 0: none</source>
+        <translation>公差 (±)；0：无</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>样件</translation>
+    </message>
+    <message>
+        <source>Every size within is as likely</source>
+        <translation>范围内各尺寸的可能性相同</translation>
+    </message>
+    <message>
+        <source>Normal: the tolerance is three standard deviations</source>
+        <translation>正态：公差为三倍标准差</translation>
+    </message>
+    <message>
+        <source>Before them ten thousand are drawn as if covers were linear, which takes seconds</source>
+        <translation>在此之前先按线性近似抽取一万件，只需数秒</translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
+        <translation>当面套有 5% 以上距应在之处超过此值时，该样件超出极限</translation>
+    </message>
+    <message>
+        <source>Dr&amp;awn</source>
+        <translation>抽取方式(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;olved</source>
+        <translation>求解数(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>极限(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
+        <translation>没有变化：请为设计中存在的某项给出大于 0 的公差。</translation>
+    </message>
+    <message>
+        <source>Covers with each tolerance are solved …</source>
+        <translation>正在求解含各公差的面套…</translation>
+    </message>
+    <message>
+        <source>Stopped. What is shown is from linear covers.</source>
+        <translation>已停止。显示的是线性近似的结果。</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
+        <translation>95% 的样件在 %1 以内（面套的均方根），最大处在 %2 以内。</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of the pieces.</source>
+        <translation>超出极限：样件的 %1。</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear; pieces are being solved …</source>
+        <translation>这是线性近似的结果；正在求解样件…</translation>
+    </message>
+    <message>
+        <source>That is as if covers were linear.</source>
+        <translation>这是线性近似的结果。</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces.</source>
+        <translation>
+            <numerusform>根据 %n 个已求解的样件。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <translation>
+            <numerusform>%n 个样件在相同三角形上没有静止的面套。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What 95 % of the pieces do not exceed</source>
+        <translation>95% 的样件不超过的值</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: draw the pieces again.</source>
+        <translation>设计在此期间已更改：请重新抽取样件。</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ToolHost</name>
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>无法执行，未做任何更改：%1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TourPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>退出导览</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour goes on from here</source>
+        <translation>可从“帮助 &gt; 导览”继续</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of %2</source>
+        <translation>导览，第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
