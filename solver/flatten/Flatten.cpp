@@ -153,6 +153,13 @@ public:
     {
         turnUpwards();
         FlatPiece flat;
+        if (!m_at.allFinite()) { // triangles without an area, all over
+            flat.at.assign(static_cast<std::size_t>(m_count), Vec2::Zero());
+            flat.strain.assign(m_facets.size(), 0);
+            flat.turnedOver = static_cast<int>(m_facets.size());
+            flat.turnedShare = 1;
+            return flat;
+        }
         double sum = 0, area = 0, turnedArea = 0;
         for (const Facet& facet : m_facets) {
             const Mat2 map = jacobian(facet);

@@ -193,6 +193,10 @@ private:
     void addPatch(std::size_t p)
     {
         m_result.patches.push_back(noElement);
+        if (m_flat[p].turnedShare > mostTurned) {
+            leaveOut(p);
+            return;
+        }
         openCuts(p);
         openRing(p);
         const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
@@ -213,17 +217,22 @@ private:
         patch.outline = edits::joined(curves, &starts);
         for (const std::size_t curve : rows)
             m_starts[p].push_back(starts[curve]);
-        if (m_flat[p].turnedShare > mostTurned || outlineProblem(patch.outline)) {
-            m_result.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
-                                              "Divide it, or cut it in where it bulges most"),
-                 {piece(p).name}});
+        if (outlineProblem(patch.outline)) {
+            leaveOut(p);
             return;
         }
         patch.name = piece(p).name;
         patch.fabric = m_fabric;
         patch.position = place(patch.outline.boundingBox());
         m_result.patches.back() = m_builder.add(std::move(patch));
+    }
+
+    void leaveOut(std::size_t p)
+    {
+        m_result.notes.push_back(
+            {QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
+                                          "Divide it, or cut it in where it bulges most"),
+             {piece(p).name}});
     }
 
     BSpline2 curveOf(const std::vector<Vec2>& row) const

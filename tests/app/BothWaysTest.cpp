@@ -14,6 +14,7 @@
 #include "SweepWindow.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QSlider>
@@ -253,6 +254,26 @@ TEST_F(BothWaysTest, TheWindowCanBeClosedWhileAChangeIsShown)
     QTest::keyClick(dialog, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasFound(); }, 120000));
     EXPECT_TRUE(window.document().gestureRunning()); // what follows ends with it
+}
+
+/// As soon as it is chosen, while the frame is still being laid flat.
+TEST_F(BothWaysTest, TheCoverIsAForm)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    ASSERT_TRUE(waitUntilAtRest());
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    auto* forms = dialog->findChild<QComboBox*>();
+    const int cover = forms->findData(QStringLiteral("cover"));
+    ASSERT_GE(cover, 0);
+    forms->setCurrentIndex(cover);
+    emit forms->activated(cover);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 120000));
+    for (const FlatPiece& piece : dialog->made()->flat)
+        for (const Vec2& at : piece.at)
+            ASSERT_TRUE(at.allFinite());
+    dialog->close();
 }
 
 TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
