@@ -98,8 +98,11 @@ QSize StartCard::sizeHint() const
     if (m_shape == Shape::Action)
         return {static_cast<int>(actionWidth * em()),
                 actionLines * fontMetrics().lineSpacing() + 2 * rim + em() / 2};
-    return {static_cast<int>(cardWidth * em()),
-            static_cast<int>(pictureHeight * em()) + 2 * fontMetrics().lineSpacing() + 3 * rim};
+    const int width = static_cast<int>(cardWidth * em());
+    const bool oneLine =
+        m_words.isEmpty() && QFontMetrics(titleFont(font())).horizontalAdvance(text()) <= width - 2 * rim;
+    return {width,
+            static_cast<int>(pictureHeight * em()) + (oneLine ? 1 : 2) * fontMetrics().lineSpacing() + 3 * rim};
 }
 
 QRect StartCard::pictureRect() const
@@ -167,7 +170,11 @@ void StartCard::paintWords(QPainter& painter) const
     const QColor strong = palette().color(QPalette::Text);
     painter.setPen(strong);
     painter.setFont(titleFont(font()));
-    drawLines(painter, room, text(), 1);
+    const int titleLines =
+        m_shape == Shape::Picture && painter.fontMetrics().horizontalAdvance(text()) > room.width() ? 2 : 1;
+    drawLines(painter, room, text(), titleLines);
+    if (titleLines > 1)
+        return; // the tool tip has the words
     painter.setPen(mixed(palette().color(QPalette::Base), strong, 0.68));
     painter.setFont(font());
     const QRect below = room.adjusted(0, fontMetrics().lineSpacing(), 0, 0);

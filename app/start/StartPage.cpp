@@ -76,9 +76,14 @@ void StartPage::open(bool back)
     place();
     QScrollArea::show();
     raise();
-    if (auto* first = widget()->findChild<StartCard*>())
-        first->setFocus(Qt::OtherFocusReason);
+    focusFirst();
     emit toggled(true);
+}
+
+void StartPage::focusFirst()
+{
+    if (auto* first = widget()->findChild<StartCard*>())
+        first->setFocus(Qt::TabFocusReason); // it is to be seen where one is
 }
 
 void StartPage::close()
@@ -92,14 +97,17 @@ void StartPage::close()
 
 void StartPage::setLeft(const QList<WorkJournal::Left>& all)
 {
+    const bool others = !(m_left.isEmpty() && all.isEmpty());
     m_left = all;
-    if (m_open)
+    if (m_open && others)
         fill();
 }
 
 /// Anew each time: recent files and left work are others.
 void StartPage::fill()
 {
+    const QWidget* keyboard = m_window.focusWidget();
+    const bool hasKeyboard = keyboard && isAncestorOf(keyboard);
     m_cards.clear();
     m_wanted.clear();
     auto* content = new QWidget;
@@ -124,6 +132,8 @@ void StartPage::fill()
     if (QWidget* before = takeWidget())
         before->deleteLater(); // a card of it may have asked for this
     setWidget(content);
+    if (m_open && hasKeyboard)
+        focusFirst();
     m_pictures->read(m_wanted);
 }
 
@@ -239,8 +249,6 @@ void StartPage::forget(const QString& path)
 {
     recentFiles::remove(path);
     fill();
-    if (auto* next = widget()->findChild<StartCard*>())
-        next->setFocus(Qt::OtherFocusReason);
 }
 
 void StartPage::addLeft(QVBoxLayout& page)

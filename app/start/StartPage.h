@@ -69,6 +69,7 @@ private:
     void showPicture(const QString& design, bool there, const QImage& picture);
     void forget(const QString& path);
     void place();
+    void focusFirst();
     void paintLikeTheViews();
 
     QMainWindow& m_window;

@@ -100,7 +100,7 @@ void TourPanel::fit()
 {
     const int wide = std::min(panelWidth * fontMetrics().height(), parentWidget()->width() - 2 * roomAround);
     setFixedWidth(std::max(wide, layout()->minimumSize().width()));
-    setFixedHeight(layout()->hasHeightForWidth() ? layout()->heightForWidth(width()) : sizeHint().height());
+    setFixedHeight(layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width()) : sizeHint().height());
     placeBeside(m_target);
     show();
     raise();
