@@ -131,7 +131,7 @@ TEST_F(CoverParts, WhoDragsTheCameraAndComesBackHasNotClicked)
     navigation.setStandardView(Camera::StandardView::Front);
     const double before = navigation.camera().azimuth;
     CameraDrag drag(navigation, shown);
-    drag.start(pointer(QEvent::MouseButtonPress, {400, 300}, Qt::RightButton), Qt::RightButton);
+    drag.start(pointer(QEvent::MouseButtonPress, {400, 300}, Qt::RightButton), Qt::RightButton, ViewMove::Turn);
     EXPECT_TRUE(drag.running());
     drag.move(pointer(QEvent::MouseMove, {440, 300}, Qt::NoButton));
     EXPECT_NE(navigation.camera().azimuth, before);
@@ -140,7 +140,7 @@ TEST_F(CoverParts, WhoDragsTheCameraAndComesBackHasNotClicked)
     EXPECT_FALSE(drag.release(pointer(QEvent::MouseButtonRelease, {400, 300}, Qt::LeftButton)));
     EXPECT_TRUE(drag.release(pointer(QEvent::MouseButtonRelease, {400, 300}, Qt::RightButton)));
     EXPECT_FALSE(drag.clicked());
-    drag.start(pointer(QEvent::MouseButtonPress, {400, 300}, Qt::RightButton), Qt::RightButton);
+    drag.start(pointer(QEvent::MouseButtonPress, {400, 300}, Qt::RightButton), Qt::RightButton, ViewMove::Turn);
     EXPECT_TRUE(drag.release(pointer(QEvent::MouseButtonRelease, {401, 300}, Qt::RightButton)));
     EXPECT_TRUE(drag.clicked());
 }
