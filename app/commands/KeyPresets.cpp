@@ -37,7 +37,7 @@ const std::vector<KeyPreset>& keyPresets()
              {"tool.outline", k(Qt::Key_H)},
              {"tool.handle-curve", k(Qt::Key_J)},
              {"tool.rectangle", k(Qt::Key_S)},
-             {"layer.seams", k(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+             {"layer.seams", k(Qt::CTRL | Qt::ALT | Qt::Key_B)},
              {"tool.ellipse", k(Qt::Key_E)},
              {"tool.dart", k(Qt::Key_D)},
              {"map.deviation", k(Qt::CTRL | Qt::ALT | Qt::Key_D)},

@@ -51,8 +51,10 @@ void applyLooks(QApplication& application, const Preferences& preferences)
     static const QFont own = QApplication::font();
     QFont font = own;
     font.setPointSizeF(own.pointSizeF() * preferences.fontPercent / 100);
-    if (font != QApplication::font())
+    if (font != QApplication::font()) {
+        application.setStyleSheet({}); // what wears a style sheet hears of no other font; the theme brings it again
         QApplication::setFont(font);
+    }
     applyTheme(application, themeOf(preferences));
 }
 

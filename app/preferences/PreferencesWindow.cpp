@@ -34,11 +34,10 @@ namespace {
 constexpr int pageRole = Qt::UserRole;
 constexpr int editorWidth = 300; // pixels, at least
 
-QLabel* mutedLabel(const QString& text, QWidget* parent)
+QLabel* noteLabel(const QString& text, QWidget* parent)
 {
     auto* label = new QLabel(text, parent);
     label->setWordWrap(true);
-    label->setForegroundRole(QPalette::PlaceholderText);
     return label;
 }
 
@@ -69,7 +68,7 @@ PreferencesWindow::PreferencesWindow(PreferenceStore& store, const std::function
     , m_search(new QLineEdit(this))
     , m_pages(new QListWidget(this))
     , m_scroll(new QScrollArea(this))
-    , m_nothing(mutedLabel(tr("No setting has these words."), this))
+    , m_nothing(noteLabel(tr("No setting has these words."), this))
 {
     setWindowTitle(tr("Preferences"));
     build(editKeys);
@@ -99,7 +98,8 @@ void PreferencesWindow::build(const std::function<void()>& editKeys)
         auto* item = new QListWidgetItem(pageTitle(page), m_pages);
         item->setData(pageRole, static_cast<int>(page));
     }
-    m_pages->setStyleSheet(QStringLiteral("QListWidget::item { padding: 6px 8px; }"));
+    constexpr int pageGap = 4; // pixels; padding of a style sheet would come after the rows were laid out
+    m_pages->setSpacing(pageGap);
     m_pages->setMinimumWidth(m_pages->sizeHintForColumn(0) + 2 * m_pages->frameWidth() + 24);
     m_pages->setMaximumWidth(m_pages->minimumWidth() + 40);
     m_scroll->setWidget(buildSections(editKeys));
@@ -170,7 +170,7 @@ void PreferencesWindow::addRow(QGridLayout& grid, QWidget& box, const Preference
     }
     grid.addWidget(row.editor, line, check ? 0 : 1, 1, check ? 2 : 1, Qt::AlignLeft);
     if (const QString note = setting.noteText(); !note.isEmpty()) {
-        row.parts << mutedLabel(note, &box);
+        row.parts << noteLabel(note, &box);
         grid.addWidget(row.parts.last(), line + 1, check ? 0 : 1, 1, check ? 2 : 1);
     }
     auto* gap = new QWidget(&box);

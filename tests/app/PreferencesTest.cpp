@@ -186,7 +186,7 @@ TEST_F(PreferencesTest, NewerFilesAreTakenAsFarAsTheyAreKnown)
 
 TEST_F(PreferencesTest, UnitsChangeAtOnceInThePropertiesAndAreTyped)
 {
-    ASSERT_TRUE(open(sample("cushion")));
+    ASSERT_TRUE(open(sample("box-cushion")));
     window.selection().clear(); // the design's own properties
     QCoreApplication::processEvents();
     NumberBox* length = firstLength();
