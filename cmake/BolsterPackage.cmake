@@ -28,6 +28,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1, libegl1")
 # Windows under Wayland, words on standard buttons in other languages.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, qt6-translations-l10n, shared-mime-info, bash-completion")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk") # for Chinese and Japanese
 
 # In Debian's form, besides what `cmake --install` gives to everybody.
 set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/BolsterDebian.cmake")

@@ -9525,6 +9525,10 @@
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Laufende Arbeiten</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

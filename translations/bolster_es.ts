@@ -9525,6 +9525,10 @@
         <source>Stop</source>
         <translation>Detener</translation>
     </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Tareas</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

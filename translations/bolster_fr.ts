@@ -9525,6 +9525,10 @@
         <source>Stop</source>
         <translation>Arrêter</translation>
     </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Tâches</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

@@ -9525,6 +9525,10 @@
         <source>Stop</source>
         <translation>Interrompi</translation>
     </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Attività</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

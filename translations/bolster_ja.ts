@@ -9497,6 +9497,10 @@
         <source>Stop</source>
         <translation>停止</translation>
     </message>
+    <message>
+        <source>Jobs</source>
+        <translation>ジョブ</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

@@ -9553,6 +9553,10 @@
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Zadania</translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

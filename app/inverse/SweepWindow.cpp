@@ -61,6 +61,16 @@ const ToleranceKind kinds[] = {
 constexpr int usualSamples = 100;
 constexpr double usualLimit = 3; // mm
 
+/// What varies: the names of the patches of a seam, or of the only element.
+QString namesOf(const Design& design, const Tolerance& tolerance)
+{
+    QStringList names;
+    for (const Freedom& freedom : tolerance.freedoms)
+        if (const QString name = displayName(design, freedom.element); !names.contains(name))
+            names << name;
+    return names.join(QStringLiteral(" \u2013 "));
+}
+
 /// Along which axis a fixation goes, or nothing.
 QString axisText(const Tolerance& tolerance)
 {
@@ -205,8 +215,7 @@ void SweepWindow::addTolerances(Tolerances& tolerances)
         if (!(m_spreads[k]->value() > 0))
             continue;
         for (Tolerance& one : kinds[k].make(m_start, m_spreads[k]->value())) {
-            m_titles.push_back(tr(kinds[k].row).arg(displayName(m_start, one.freedoms.front().element)) +
-                               axisText(one));
+            m_titles.push_back(tr(kinds[k].row).arg(namesOf(m_start, one)) + axisText(one));
             tolerances.all.push_back(std::move(one));
         }
     }

@@ -13,6 +13,7 @@
 #include <QShortcut>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -126,8 +127,13 @@ void ManualWindow::show(const QString& place)
                                         : tr("The manual has no page \"%1\".").arg(page));
     m_text->moveCursor(QTextCursor::Start);
     m_text->verticalScrollBar()->setValue(0);
-    if (const QString anchor = place.section(u'#', 1); !anchor.isEmpty())
+    if (const QString anchor = place.section(u'#', 1); !anchor.isEmpty()) {
         scrollTo(anchor);
+        QTimer::singleShot(0, this, [this, place, anchor] { // when pictures have found their room
+            if (this->place() == place)
+                scrollTo(anchor);
+        });
+    }
 }
 
 void ManualWindow::scrollTo(const QString& anchor)

@@ -41,6 +41,7 @@ TEST_F(ManualTest, OpensAtTheToolOfTheView)
     window.command("tool.select")->trigger();
     QTest::keyClick(&window.patternView(), Qt::Key_F1);
     EXPECT_FALSE(manual()->place().startsWith("sewing.md"));
+    takeKeyboard(*manual());
     QTest::keyClick(manual(), Qt::Key_Left, Qt::AltModifier);
     EXPECT_TRUE(manual()->place().startsWith("sewing.md"));
 }
