@@ -204,9 +204,9 @@ TEST_F(PreferencesTest, UnitsChangeAtOnceInThePropertiesAndAreTyped)
     takeKeyboard();
     length->setFocus();
     length->selectAll();
-    QTest::keyClicks(length, "1/2");
+    QTest::keyClicks(length, "3/4"); // 1/2 is what 12 mm are shown as, and changes nothing
     QTest::keyClick(length, Qt::Key_Return);
-    EXPECT_NEAR(window.document().design().settings().edgeLength, 12.7, 1e-3);
+    EXPECT_NEAR(window.document().design().settings().edgeLength, 19.05, 1e-3);
     EXPECT_EQ(storedPreferences().length, "in");
     window.document().undo();
     EXPECT_DOUBLE_EQ(window.document().design().settings().edgeLength, before);
