@@ -13,7 +13,9 @@
 #include "Translations.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QLocale>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <cstdio>
@@ -42,6 +44,18 @@ bool takePortable(int& argc, char** argv)
     std::rotate(argv + 1, argv + 2, argv + argc);
     argv[--argc] = nullptr;
     return true;
+}
+
+/// Who reads a pipe waits for somebody to write.
+bolster::Message settingsProblem()
+{
+    const QString file = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+                         QStringLiteral("/Bolster/Bolster.conf");
+    const QFileInfo there(file);
+    if (!there.exists() || there.isFile())
+        return {};
+    return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is not an ordinary file"),
+            {file.toStdString()}};
 }
 
 void prepare(QApplication& application)
@@ -78,6 +92,8 @@ int main(int argc, char* argv[])
             return refuse(argc, argv, problem);
     if (const std::optional<int> code = runCommandLine(argc, argv))
         return *code;
+    if (const Message problem = settingsProblem(); !problem.empty())
+        return refuse(argc, argv, problem);
 
     if (!hasDisplay()) {
         std::fputs("bolster: there is no display for the workbench; \"bolster solve\" needs none\n", stderr);

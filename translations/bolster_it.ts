@@ -2138,7 +2138,7 @@
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
-            <numerusform>e un’altra</numerusform>
+            <numerusform>e un’altra (%n)</numerusform>
             <numerusform>e altre %n</numerusform>
         </translation>
     </message>
@@ -8800,7 +8800,7 @@
     <message numerus="yes">
         <source>%n more designs are under File &gt; Unsaved work.</source>
         <translation>
-            <numerusform>Un altro modello è in File &gt; Lavoro non salvato.</numerusform>
+            <numerusform>Un altro modello (%n) è in File &gt; Lavoro non salvato.</numerusform>
             <numerusform>Altri %n modelli sono in File &gt; Lavoro non salvato.</numerusform>
         </translation>
     </message>

@@ -49,8 +49,9 @@ void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const
             resting.push_back(&sample);
     found.solved = static_cast<int>(all.size());
     found.resting = static_cast<int>(resting.size());
-    if (!resting.empty())
-        found.p95 = solvedP95(resting);
+    if (resting.empty())
+        return; // what is known is by linear covers
+    found.p95 = solvedP95(resting);
     found.out = static_cast<int>(
         std::ranges::count_if(resting, [&](const SweepSample* sample) { return sample->p95 > wanted.limit; }));
 }
@@ -59,8 +60,7 @@ void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const
 
 double SweepFound::outShare() const
 {
-    const int of = solved > 0 ? resting : linearPieces;
-    return of > 0 ? static_cast<double>(out) / of : 0;
+    return static_cast<double>(out) / (resting > 0 ? resting : linearPieces);
 }
 
 SweepFound findSweep(const SweepWanted& wanted, const SweepNews& news, const std::stop_token& stop)

@@ -287,7 +287,7 @@ void SweepWindow::say()
         tr("Out of the limit: %1 of the pieces.").arg(percentText(std::round(1000 * m_found->outShare()) / 1000))};
     if (!m_found->whole)
         lines << tr("That is as if covers were linear; pieces are being solved \u2026");
-    else if (m_found->solved == 0)
+    else if (m_found->resting == 0)
         lines << tr("That is as if covers were linear.");
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);

@@ -63,6 +63,15 @@ namespace {
 
 constexpr std::size_t mostSelectedAtOnce = 500; // patches that were imported
 
+/// "fixation-curve": FixationCurveForm.
+QString formOf(ElementKind kind)
+{
+    QString name;
+    for (const QString& word : kindIcon(kind).split(u'-'))
+        name += word.left(1).toUpper() + word.mid(1);
+    return name + QStringLiteral("Form");
+}
+
 /// None where the frame is of one piece.
 std::optional<PieceOfFrame> pieceAt(const CoverView& view, const QPoint& global, const Design& design,
                                     const DesignFiles& files)
@@ -112,7 +121,11 @@ void MainWindow::addCommands()
     auto& preferences = addArea<PreferenceCommands>(
         commands, *m_preferences,
         PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface, *m_fabricCommands, *this});
-    addArea<ManualCommands>(commands, *this);
+    addArea<ManualCommands>(commands, *this, [this] {
+        const auto& chosen = m_selection.elements();
+        const ElementPtr first = chosen.empty() ? nullptr : document().design().element(*chosen.begin());
+        return first ? formOf(kindOf(*first)) : QString();
+    });
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
     addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files,
                         *m_startPage);

@@ -39,6 +39,7 @@ Message keepEverythingIn(const QString& folder)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\", where a portable Bolster keeps settings and work, cannot be "
                                              "written; copy its folder to where you may write"),
                 {folder.toStdString()}};
+    qputenv("MESA_SHADER_CACHE_DISABLE", "true"); // it ends a program whose disk is full
     for (const Place& place : places)
         qputenv(place.variable, QFile::encodeName(dir.filePath(place.name)));
     for (const QSettings::Format format : {QSettings::NativeFormat, QSettings::IniFormat})

@@ -23,6 +23,7 @@ constexpr double foldedSpot = 2500;  // mm^2 that are pressed together or folded
 constexpr double foldStrain = 8;     // %: cloth that is pressed together more lies in folds
 constexpr double offFrame = 40;      // mm: more than padding, webbing and the frame's own roundness explain
 constexpr double farFromFrame = 1e5; // mm
+constexpr int manyCurves = 5;        // that are off a frame: not one that was forgotten
 
 std::string findingName(const Design& design, ElementId id)
 {
@@ -223,6 +224,9 @@ void findOffFrame(const SurfaceMesh& surface, const Design& design, const Triang
                         {findingName(design, seam->curve), numberText(distance, 3)}}};
         }
     }
+    const auto off = std::ranges::count_if(worst, [](const auto& one) { return one.second.value > 0; });
+    if (off >= manyCurves && 2 * off > std::ssize(worst))
+        return; // such as legs: most of the cover is held by what nobody has modelled
     for (auto& [curve, finding] : worst)
         if (finding.value > 0)
             found.push_back(std::move(finding));

@@ -45,6 +45,17 @@ bool anyChanged(const Design& before, const Design& after)
     return changed;
 }
 
+/// A patch that lies elsewhere on the table is the same piece.
+bool anyOutlineChanged(const Design& before, const Design& after)
+{
+    bool changed = false;
+    after.each<Patch>([&](ElementId id, const Patch& now) {
+        const auto* then = before.find<Patch>(id);
+        changed = changed || (then && !(then->outline == now.outline));
+    });
+    return changed;
+}
+
 } // namespace
 
 Tour::Tour(Commands& commands, const Parts& parts)
@@ -154,7 +165,7 @@ void Tour::historyChanged()
         did(Deed::Undone);
     else if (anyChanged<FixationCurve>(before, m_before))
         did(Deed::CurveDragged);
-    else if (anyChanged<Patch>(before, m_before))
+    else if (anyOutlineChanged(before, m_before))
         did(Deed::OutlineChanged);
     else if (anyChanged<Seam>(before, m_before))
         did(Deed::SeamChanged);

@@ -3,6 +3,7 @@
 #include "Ask.h"
 #include "Commands.h"
 #include "CoverView.h"
+#include "Inspector.h"
 #include "ManualWindow.h"
 #include "PatternView.h"
 #include "ProblemsView.h"
@@ -14,9 +15,10 @@
 
 namespace bolster {
 
-ManualCommands::ManualCommands(Commands& commands, QWidget& window)
+ManualCommands::ManualCommands(Commands& commands, QWidget& window, std::function<QString()> subject)
     : m_commands(commands)
     , m_window(window)
+    , m_subject(std::move(subject))
     , m_folder(shippedFolder("manual"))
     , m_places(m_folder)
 {
@@ -51,6 +53,10 @@ QString ManualCommands::placeNow() const
             if (tool->isChecked())
                 if (const QString place = m_places.ofCommand(tool->objectName()); !place.isEmpty())
                     return place;
+    for (const QWidget* part = focus; part; part = part->parentWidget())
+        if (qobject_cast<const Inspector*>(part))
+            if (const QString place = m_places.ofCommand(m_subject()); !place.isEmpty())
+                return place;
     const QString place = m_places.ofWidget(focus ? focus : QApplication::activeWindow());
     return place.isEmpty() ? ManualPlaces::first() : place;
 }

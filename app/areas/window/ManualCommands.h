@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include <functional>
+
 namespace bolster {
 
 class Commands;
@@ -16,7 +18,8 @@ class ManualCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(ManualCommands)
 
 public:
-    ManualCommands(Commands& commands, QWidget& window);
+    /// `subject`: the class of the form that is shown in the properties, "" for none.
+    ManualCommands(Commands& commands, QWidget& window, std::function<QString()> subject);
 
     /// Where the keyboard is: a problem, the tool of a view, a form, a window.
     QString placeNow() const;
@@ -28,6 +31,7 @@ private:
 
     Commands& m_commands;
     QWidget& m_window;
+    std::function<QString()> m_subject;
     QString m_folder;
     ManualPlaces m_places;
     QPointer<ManualWindow> m_manual;

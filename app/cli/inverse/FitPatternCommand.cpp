@@ -89,7 +89,7 @@ std::pair<std::string, std::string> sidesOf(const std::string& goal, const std::
 {
     const std::size_t sign = text.rfind('=');
     if (sign == std::string::npos)
-        throw UsageError("--to " + goal + ": a = is missing");
+        throw UsageError("\"--to " + goal + "\": a = is missing");
     return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
@@ -115,7 +115,8 @@ SizeGoal sizeGoal(const std::string& goal, const std::string& text, const Design
     const auto [name, size] = sidesOf(goal, text);
     bool known = false;
     QString percent = QString::fromStdString(size);
-    percent.remove('%');
+    if (percent.endsWith('%'))
+        percent.chop(1);
     const double share = percent.toDouble(&known) / 100;
     if (!known || !(share >= 0.1 && share <= 10))
         throw UsageError("--to " + goal + ": 10 % to 1000 % are expected behind the =");
