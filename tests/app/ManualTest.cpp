@@ -43,7 +43,7 @@ TEST_F(ManualTest, OpensAtTheToolOfTheView)
     EXPECT_FALSE(manual()->place().startsWith("sewing.md"));
     takeKeyboard(*manual());
     QTest::keyClick(manual(), Qt::Key_Left, Qt::AltModifier);
-    EXPECT_TRUE(manual()->place().startsWith("sewing.md"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return manual()->place().startsWith("sewing.md"); })) << "as if clicked";
 }
 
 TEST_F(ManualTest, OpensOverADialog)
