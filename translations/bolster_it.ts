@@ -7983,7 +7983,7 @@
     <message numerus="yes">
         <source>and %n others</source>
         <translation>
-            <numerusform>e un’altra</numerusform>
+            <numerusform>e un’altra (%n)</numerusform>
             <numerusform>e altre %n</numerusform>
         </translation>
     </message>
@@ -10357,7 +10357,7 @@
     <message numerus="yes">
         <source>This version of Bolster does not know %n of them: %1</source>
         <translation>
-            <numerusform>Questa versione di Bolster non ne conosce una: %1</numerusform>
+            <numerusform>Questa versione di Bolster non ne conosce %n: %1</numerusform>
             <numerusform>Questa versione di Bolster non ne conosce %n: %1</numerusform>
         </translation>
     </message>

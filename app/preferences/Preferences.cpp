@@ -100,10 +100,9 @@ const std::vector<PreferenceRow>& preferenceTable()
         {"units/length", Page::Units, &P::length, OneOf{&lengthChoices},
          QT_TRANSLATE_NOOP("Preferences", "Lengths in"),
          QT_TRANSLATE_NOOP("Preferences", "unit measure metric imperial millimetre centimetre inch"),
-         QT_TRANSLATE_NOOP("Preferences",
-                           "How lengths are shown. Whatever it is, you may type others: 3 in, "
-                           "2.5 cm, 1' 2 3/8\". Designs keep millimetres, and so do printed "
-                           "sheets and files.")},
+         QT_TRANSLATE_NOOP("Preferences", "How lengths are shown. Whatever it is, you may type others: 3 in, "
+                                          "2.5 cm, 1' 2 3/8\". Designs keep millimetres, and so do printed "
+                                          "sheets and files.")},
         {"units/inch-fraction", Page::Units, &P::fraction, OneOf{&fractionChoices},
          QT_TRANSLATE_NOOP("Preferences", "Parts of an inch"),
          QT_TRANSLATE_NOOP("Preferences", "fraction imperial 1/16 decimals"),

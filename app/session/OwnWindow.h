@@ -5,8 +5,8 @@
 
 namespace bolster {
 
-/// In a program of its own, portable as this one: whatever happens to one design, the others go on. Empty: with nothing open. Whether it
-/// could be started.
+/// In a program of its own, portable as this one: whatever happens to one design, the others go on. Empty: with
+/// nothing open. Whether it could be started.
 bool openInWindowOfItsOwn(const QString& path = {});
 
 } // namespace bolster

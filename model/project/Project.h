@@ -62,8 +62,8 @@ struct ProjectPicture {
     bool damaged = false; ///< that is why
 };
 
-/// The small picture of the current version, or of the newest before it that has one. Nothing else of the project is
-/// looked at, so that it is quick, however long the history is.
+/// The small picture of the current version, or of the newest before it that has one. Nothing else of the project
+/// is looked at, so that it is quick, however long the history is.
 ProjectPicture projectPicture(const QString& path);
 
 /// Opens a project file without changing it. Nothing but a problem when anything is wrong with it: see

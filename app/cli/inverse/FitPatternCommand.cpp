@@ -95,7 +95,8 @@ std::pair<std::string, std::string> sidesOf(const std::string& goal, const std::
 
 SeamGoal seamGoal(const std::string& goal, const std::string& text, const Design& design)
 {
-    const auto [seam, name] = sidesOf(goal, text);
+    const std::pair<std::string, std::string> sides = sidesOf(goal, text);
+    const std::string &seam = sides.first, &name = sides.second;
     bool known = false;
     const auto id = static_cast<ElementId>(QString::fromStdString(seam).toUInt(&known));
     if (!known || !design.find<Seam>(id))
