@@ -53,7 +53,8 @@ DropFlow::DropFlow(FileFlow& files, FabricCommands& fabrics, QWidget* window)
 void DropFlow::drop(const QStringList& files)
 {
     QStringList sorted = files;
-    std::ranges::stable_partition(sorted, [](const QString& file) { return isFileOf(FileUse::Design, file); });
+    std::stable_partition(sorted.begin(), sorted.end(),
+                          [](const QString& file) { return isFileOf(FileUse::Design, file); });
     if (m_waiting.isEmpty())
         m_opened = false;
     m_waiting += sorted;

@@ -69,7 +69,7 @@ ManualWindow::ManualWindow(QString folder, QWidget* parent)
     connect(m_text, &QTextBrowser::anchorClicked, this, &ManualWindow::follow);
     auto* contents = new QToolButton(this);
     contents->setText(tr("Contents"));
-    connect(contents, &QToolButton::clicked, this, [this] { open(QStringLiteral("index.md")); });
+    connect(contents, &QToolButton::clicked, this, [this] { openAt(QStringLiteral("index.md")); });
     m_back->setArrowType(Qt::LeftArrow);
     m_back->setToolTip(tr("Back (Alt+Left)"));
     m_back->setAccessibleName(tr("Back"));
@@ -102,7 +102,7 @@ ManualWindow::ManualWindow(QString folder, QWidget* parent)
     resize(760, 800);
 }
 
-void ManualWindow::open(const QString& place)
+void ManualWindow::openAt(const QString& place)
 {
     while (m_places.size() > m_shown + 1)
         m_places.removeLast();
@@ -154,7 +154,7 @@ void ManualWindow::follow(const QUrl& link)
         return;
     }
     const QString page = link.path().isEmpty() ? place().section(u'#', 0, 0) : link.path();
-    open(link.fragment().isEmpty() ? page : page + u'#' + link.fragment());
+    openAt(link.fragment().isEmpty() ? page : page + u'#' + link.fragment());
 }
 
 /// From where one reads to the end of the page, then in the pages after it, once around.
@@ -171,7 +171,7 @@ void ManualWindow::find()
         if (!file.open(QIODevice::ReadOnly) ||
             !QString::fromUtf8(file.readAll()).contains(text, Qt::CaseInsensitive))
             continue;
-        open(page);
+        openAt(page);
         if (m_text->find(text))
             return;
     }

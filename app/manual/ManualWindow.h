@@ -18,7 +18,7 @@ public:
     explicit ManualWindow(QString folder, QWidget* parent = nullptr);
 
     /// "page.md#heading"; the page from its beginning when it has no such heading.
-    void open(const QString& place);
+    void openAt(const QString& place);
     /// The page that is shown, and the heading that was asked for.
     QString place() const { return m_shown < 0 ? QString() : m_places[m_shown]; }
 

@@ -79,7 +79,7 @@ TEST_F(ManualTest, EveryPlaceIsAHeading)
                 continue;
             seen << place;
             ++count;
-            shown.open(place);
+            shown.openAt(place);
             EXPECT_TRUE(!place.contains(u'#') || text->textCursor().block().blockFormat().headingLevel() > 0)
                 << place.toStdString();
         }

@@ -74,7 +74,7 @@ void ManualCommands::open(const QString& place)
         m_manual->close();
     if (!m_manual || m_manual->parentWidget() != parent)
         m_manual = new ManualWindow(m_folder, parent);
-    m_manual->open(place);
+    m_manual->openAt(place);
     m_manual->QWidget::show();
     m_manual->raise();
     m_manual->activateWindow();
