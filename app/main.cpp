@@ -46,11 +46,13 @@ bool takePortable(int& argc, char** argv)
     return true;
 }
 
-/// Who reads a pipe waits for somebody to write.
-bolster::Message settingsProblem()
+/// Who reads a pipe waits for somebody to write. `folder`: of a portable Bolster, or empty.
+bolster::Message settingsProblem(const QString& folder)
 {
-    const QString file = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
-                         QStringLiteral("/Bolster/Bolster.conf");
+    const QString settings = folder.isEmpty()
+                                 ? QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation)
+                                 : folder + QStringLiteral("/settings");
+    const QString file = settings + QStringLiteral("/Bolster/Bolster.conf");
     const QFileInfo there(file);
     if (!there.exists() || there.isFile())
         return {};
@@ -87,12 +89,13 @@ int main(int argc, char* argv[])
     QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
     const bool portable = takePortable(argc, argv);
-    if (const QString folder = portableFolder(programFolder(), portable); !folder.isEmpty())
+    const QString folder = portableFolder(programFolder(), portable);
+    if (!folder.isEmpty())
         if (const Message problem = keepEverythingIn(folder); !problem.empty())
             return refuse(argc, argv, problem);
     if (const std::optional<int> code = runCommandLine(argc, argv))
         return *code;
-    if (const Message problem = settingsProblem(); !problem.empty())
+    if (const Message problem = settingsProblem(folder); !problem.empty())
         return refuse(argc, argv, problem);
 
     if (!hasDisplay()) {

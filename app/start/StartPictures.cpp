@@ -4,9 +4,9 @@
 #include "DesignSession.h"
 #include "Project.h"
 #include "Templates.h"
+#include "WholeFile.h"
 
 #include <QBuffer>
-#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 
@@ -22,8 +22,7 @@ QByteArray pictureBytes(const QString& design)
     if (DesignSession::isProject(design))
         if (const std::string png = projectPicture(design).png; !png.empty() && std::ssize(png) <= largestFile)
             return QByteArray::fromStdString(png);
-    QFile file(pictureBeside(design));
-    return file.open(QIODevice::ReadOnly) && file.size() <= largestFile ? file.readAll() : QByteArray();
+    return QByteArray::fromStdString(readWholeFile(pictureBeside(design), largestFile).bytes);
 }
 
 } // namespace
