@@ -71,22 +71,9 @@ CauseWindow::CauseWindow(DesignSession& session, Selection& selection, QWidget* 
     , m_session(session)
     , m_document(session.document())
     , m_selection(selection)
-    , m_job(
-          [this](const Wanted& wanted, const std::stop_token& stop) {
-              return explain(
-                  wanted,
-                  [this, number = wanted.number](double share) {
-                      QMetaObject::invokeMethod(
-                          this,
-                          [this, number, share] {
-                              if (number == m_asked)
-                                  m_run->setShare(share);
-                          },
-                          Qt::QueuedConnection);
-                  },
-                  stop);
-          },
-          [this](Found found) { take(std::move(found)); })
+    , m_job([this](const Wanted& wanted,
+                   const std::stop_token& stop) { return explain(wanted, m_run->sharesOf(wanted.number), stop); },
+            [this](Found found) { take(std::move(found)); })
 {
     setWindowTitle(tr("Why is it so?"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -184,12 +171,12 @@ void CauseWindow::find()
     m_alike->clear();
     m_run->setRunning(true);
     m_said->setText(tr("Covers with each cause are solved \u2026"));
-    m_job.request({++m_asked, {m_start, m_session.files()}, scan, m_sound->form()}, true);
+    m_job.request({m_run->newRun(), {m_start, m_session.files()}, scan, m_sound->form()}, true);
 }
 
 void CauseWindow::stop()
 {
-    ++m_asked;
+    m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
     m_said->setText(tr("Stopped."));
@@ -197,7 +184,7 @@ void CauseWindow::stop()
 
 void CauseWindow::take(Found found)
 {
-    if (found.number != m_asked)
+    if (!m_run->isNow(found.number))
         return;
     m_run->setRunning(false);
     if (!found.problem.empty()) {

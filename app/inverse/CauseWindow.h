@@ -64,7 +64,6 @@ private:
     QLabel *m_said = nullptr, *m_alike = nullptr;
     QTreeWidget* m_list = nullptr;
 
-    int m_asked = 0;
     Design m_start; ///< of what is sought
     std::optional<Found> m_found;
     LatestJob<Wanted, Found> m_job; ///< last: it uses the others

@@ -5,12 +5,6 @@
 
 namespace bolster {
 
-namespace {
-
-constexpr FlattenOrder draftOrder{0.3, 40, 0.05};
-
-} // namespace
-
 FormMade patternOfForm(const FormWanted& wanted, const std::stop_token& stop)
 {
     FormMade made;
@@ -29,7 +23,7 @@ FormMade patternOfForm(const FormWanted& wanted, const std::stop_token& stop)
         made.problem = made.form.problem;
         if (!made.problem.empty() || stop.stop_requested())
             return made;
-        FlattenOrder order = wanted.draft ? draftOrder : FlattenOrder{};
+        FlattenOrder order = wanted.draft ? draftFlattening : FlattenOrder{};
         order.poisson = wanted.order.fabric.poisson;
         made.flat = flatten(made.form, order, stop);
         if (!stop.stop_requested())

@@ -26,6 +26,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace bolster {
 
@@ -131,6 +132,11 @@ QWidget* FormPatternWindow::buildWishes()
     });
     m_fabric = new QComboBox(wishes);
     connect(m_fabric, &QComboBox::activated, this, [this] { ask(false); });
+    m_grain = new QComboBox(wishes);
+    m_grain->setToolTip(tr("Where the grain line runs on the form"));
+    for (const QString& way : {tr("upwards"), tr("to the back"), tr("sideways")})
+        m_grain->addItem(way);
+    connect(m_grain, &QComboBox::activated, this, [this] { ask(false); });
     m_groups = new QCheckBox(tr("where its &parts meet"), wishes);
     m_groups->setChecked(true);
     m_bends = new QCheckBox(tr("where it &bends by more than"), wishes);
@@ -157,6 +163,7 @@ QWidget* FormPatternWindow::buildWishes()
     auto* form = new QFormLayout;
     form->addRow(tr("&Form"), m_form);
     form->addRow(tr("Fa&bric"), m_fabric);
+    form->addRow(tr("&Grain runs"), m_grain);
     auto* rows = new QVBoxLayout(wishes);
     rows->setContentsMargins({});
     rows->addLayout(form);
@@ -245,6 +252,12 @@ Fabric FormPatternWindow::fabric() const
     return fabric;
 }
 
+FormGrain FormPatternWindow::grain() const
+{
+    const std::array<FormGrain, 3> ways{{{}, {Vec3::UnitY(), 90}, {Vec3::UnitX(), 0}}};
+    return ways.at(static_cast<std::size_t>(std::max(0, m_grain->currentIndex())));
+}
+
 std::vector<FormLine> FormPatternWindow::chosenLines() const
 {
     Design ticked;
@@ -278,6 +291,7 @@ void FormPatternWindow::ask(bool draft)
         wanted.cuts.angle = m_angle->value();
     wanted.cuts.lines = chosenLines();
     wanted.order.fabric = fabric();
+    wanted.order.grain = grain();
     wanted.order.edgeLength = m_document.design().settings().edgeLength;
     if (!draft)
         m_said->setText(tr("Laying it flat \u2026"));

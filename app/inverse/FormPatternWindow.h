@@ -51,12 +51,13 @@ private:
     void documentChanged();
     std::vector<FormLine> chosenLines() const;
     Fabric fabric() const;
+    FormGrain grain() const;
     std::shared_ptr<const TriangleMesh> mesh() const;
 
     DesignSession& m_session;
     Document& m_document;
     SolverLink& m_solver;
-    QComboBox *m_form = nullptr, *m_fabric = nullptr;
+    QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
     QString m_file;
     QCheckBox *m_groups = nullptr, *m_bends = nullptr;
     NumberBox* m_angle = nullptr;

@@ -7,7 +7,7 @@ namespace bolster {
 FitFound fitTo(const FitWanted& wanted, const std::function<void(double, const FitRound&)>& progress,
                const std::stop_token& stop)
 {
-    FitFound found{wanted.number, wanted.order.freedoms, {}};
+    FitFound found{wanted.number, wanted.order.freedoms, !wanted.order.locks.ease, {}};
     found.result.design = wanted.input.design;
     try {
         FitOrder order = wanted.order;

@@ -16,6 +16,7 @@ struct FitWanted {
 struct FitFound {
     int number = 0;
     std::vector<Freedom> freedoms;
+    bool easeIsFree = false;
     FitResult result;
 };
 

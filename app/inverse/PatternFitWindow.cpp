@@ -13,6 +13,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -33,7 +34,8 @@ namespace {
 
 constexpr double arrowsApart = 14;  // pixels
 constexpr double longestArrow = 45; // pixels
-constexpr double keptShape = 0.5;   // weight against strain
+constexpr int freedomColumns = 4;
+constexpr double keptShape = 0.5; // weight against strain
 
 /// How far points of a patch would move at most, mm.
 double movedBy(const FitFound& found, ElementId patch)
@@ -50,25 +52,23 @@ double movedBy(const FitFound& found, ElementId patch)
 
 } // namespace
 
-PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection, PatternView& pattern,
+PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection, const Views& views,
                                    QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_selection(selection)
-    , m_pattern(pattern)
+    , m_pattern(views.pattern)
+    , m_area(new AreaRow(views.cover, this))
     , m_job(
           [this](const FitWanted& wanted, const std::stop_token& stop) {
               return fitTo(
                   wanted,
                   [this, number = wanted.number](double share, const FitRound& round) {
-                      QMetaObject::invokeMethod(
-                          this,
-                          [this, number, share, round] {
-                              if (number == m_asked && m_run->running())
-                                  showProgress(share, round);
-                          },
-                          Qt::QueuedConnection);
+                      m_run->later(number, [this, share, round] {
+                          if (m_run->running())
+                              showProgress(share, round);
+                      });
                   },
                   stop);
           },
@@ -142,6 +142,7 @@ QWidget* PatternFitWindow::buildGoals()
     second->addStretch(1);
     rows->addLayout(first);
     rows->addLayout(second);
+    rows->addWidget(m_area);
     addSelectedGoals(*rows, *box);
     return box;
 }
@@ -182,22 +183,27 @@ void PatternFitWindow::addSelectedGoals(QVBoxLayout& rows, QWidget& box)
 QWidget* PatternFitWindow::buildFreedoms()
 {
     auto* box = new QGroupBox(tr("What may change"), this);
-    auto* row = new QHBoxLayout;
+    auto* grid = new QGridLayout;
+    int count = 0;
     const auto add = [&](const QString& text, const QString& tip) {
         auto* check = new QCheckBox(text, box);
         check->setToolTip(tip);
-        row->addWidget(check);
+        grid->addWidget(check, count / freedomColumns, count % freedomColumns);
+        ++count;
         return check;
     };
     m_outlines = add(tr("&Outlines"), tr("Control points of the patches"));
+    m_seams = add(tr("Ends of seams"), tr("Where seams and fixations end on smooth edges"));
+    m_ease = add(tr("Ease"), tr("Sides of seams may come to differ in length; that is then the ease wanted"));
     m_foam = add(tr("Fo&am"), tr("How thick cushions and foam are, by whole voxels"));
     m_fixations = add(tr("F&ixations"), tr("Where fixation curves lie"));
     m_pressure = add(tr("&Pressure"), tr("The pressure under each patch"));
+    m_stretch = add(tr("Stretch"), tr("Stiffness of the fabrics, and how much they contract across a pull"));
     m_outlines->setChecked(true);
-    row->addStretch(1);
+    grid->setColumnStretch(freedomColumns, 1);
     m_selectedOnly = new QCheckBox(tr("Of sele&cted patches only"), box);
     auto* rows = new QVBoxLayout(box);
-    rows->addLayout(row);
+    rows->addLayout(grid);
     rows->addWidget(m_selectedOnly);
     return box;
 }
@@ -282,6 +288,9 @@ FitOrder PatternFitWindow::order() const
     add(m_foam, foamFreedoms(design));
     add(m_fixations, fixationFreedoms(design));
     add(m_pressure, pressureFreedoms(design));
+    add(m_stretch, stretchFreedoms(design));
+    add(m_seams, seamEndFreedoms(design));
+    order.locks.ease = !m_ease->isChecked();
     order.locks.lengths = m_lengths->isChecked();
     order.locks.straight = m_straight->isChecked();
     order.locks.corners = m_corners->isChecked();
@@ -289,6 +298,8 @@ FitOrder PatternFitWindow::order() const
     order.goals.strain = m_strained->isChecked();
     order.goals.limit = m_limit->value();
     order.goals.keepShape = m_lies->isChecked() ? 0 : keptShape;
+    if (m_area->wanted())
+        order.goals.area.spots = m_area->spots();
     addSelectedGoals(order.goals);
     return order;
 }
@@ -315,6 +326,8 @@ QString PatternFitWindow::missingGoal(const FitGoals& goals) const
 {
     if (m_along->isChecked() && goals.seams.empty())
         return tr("Select the seam that shall run along the curve.");
+    if (m_area->wanted() && goals.area.spots.empty())
+        return tr("Paint the area in the 3D view, or untick it.");
     if (m_sized->isChecked() && goals.sizes.empty())
         return tr("Select the patches that shall become larger or smaller.");
     return !goals.any() && !m_lies->isChecked() ? tr("Choose a goal.") : QString();
@@ -339,12 +352,12 @@ void PatternFitWindow::find()
     m_start = m_document.committed();
     setRunning(true);
     m_said->setText(tr("Solving the cover \u2026"));
-    m_job.request({++m_asked, {m_start, m_session.files()}, on, std::move(wanted)}, true);
+    m_job.request({m_run->newRun(), {m_start, m_session.files()}, on, std::move(wanted)}, true);
 }
 
 void PatternFitWindow::stop()
 {
-    ++m_asked;
+    m_run->newRun();
     m_job.cancel();
     setRunning(false);
     m_said->setText(tr("Stopped; nothing has changed."));
@@ -370,7 +383,7 @@ void PatternFitWindow::showProgress(double share, const FitRound& round)
 
 void PatternFitWindow::take(FitFound found)
 {
-    if (found.number != m_asked)
+    if (!m_run->isNow(found.number))
         return;
     const FitResult& result = found.result;
     if (result.status == FitResult::Status::Failed || result.status == FitResult::Status::NothingToDo) {
@@ -436,7 +449,8 @@ Design PatternFitWindow::changedDesign() const
     for (std::size_t k = 0; k < m_found->freedoms.size(); ++k)
         if (!ticked.contains(m_found->freedoms[k].element))
             values[static_cast<Eigen::Index>(k)] = 0;
-    return withFreedoms(m_start, m_found->freedoms, values);
+    const Design changed = withFreedoms(m_start, m_found->freedoms, values);
+    return m_found->easeIsFree ? withEases(m_start, changed) : changed;
 }
 
 void PatternFitWindow::preview()

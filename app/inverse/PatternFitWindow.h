@@ -1,6 +1,7 @@
 // Changes the pattern after a goal: asks, shows what would change, and takes as much of it as is wanted.
 #pragma once
 
+#include "AreaRow.h"
 #include "Document.h"
 #include "Gesture.h"
 #include "LatestJob.h"
@@ -32,7 +33,12 @@ class PatternFitWindow : public QDialog {
     Q_OBJECT
 
 public:
-    PatternFitWindow(DesignSession& session, Selection& selection, PatternView& pattern, QWidget* parent = nullptr);
+    /// In which one sees and paints.
+    struct Views {
+        PatternView& pattern;
+        AreaRow::Parts cover;
+    };
+    PatternFitWindow(DesignSession& session, Selection& selection, const Views& views, QWidget* parent = nullptr);
     ~PatternFitWindow() override;
 
     /// Whether changes were found that can be taken.
@@ -66,6 +72,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     PatternView& m_pattern;
+    AreaRow* m_area; ///< goals of form and strain count there
 
     QCheckBox* m_lies = nullptr;
     FormChoice* m_form = nullptr;
@@ -74,7 +81,8 @@ private:
     QCheckBox *m_smooth = nullptr, *m_along = nullptr, *m_sized = nullptr;
     QComboBox* m_curve = nullptr;
     NumberBox* m_size = nullptr;
-    QCheckBox *m_outlines = nullptr, *m_foam = nullptr, *m_fixations = nullptr, *m_pressure = nullptr;
+    QCheckBox *m_outlines = nullptr, *m_seams = nullptr, *m_ease = nullptr, *m_foam = nullptr,
+              *m_fixations = nullptr, *m_pressure = nullptr, *m_stretch = nullptr;
     QCheckBox* m_selectedOnly = nullptr;
     QCheckBox *m_lengths = nullptr, *m_straight = nullptr, *m_corners = nullptr;
     NumberBox* m_most = nullptr;
@@ -86,7 +94,6 @@ private:
     QSlider* m_share = nullptr;
     QLabel *m_shareSaid = nullptr, *m_arrowsSaid = nullptr;
 
-    int m_asked = 0;
     Design m_start; ///< of what is sought or was found
     std::optional<FitFound> m_found;
     std::optional<Gesture> m_gesture;     ///< while changes are shown

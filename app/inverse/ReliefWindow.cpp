@@ -39,18 +39,7 @@ ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverVi
     , m_view(view)
     , m_job(
           [this](const ReliefWanted& wanted, const std::stop_token& stop) {
-              return findReliefs(
-                  wanted,
-                  [this, number = wanted.number](double share) {
-                      QMetaObject::invokeMethod(
-                          this,
-                          [this, number, share] {
-                              if (number == m_asked)
-                                  m_run->setShare(share);
-                          },
-                          Qt::QueuedConnection);
-                  },
-                  stop);
+              return findReliefs(wanted, m_run->sharesOf(wanted.number), stop);
           },
           [this](ReliefFound found) { take(std::move(found)); })
 {
@@ -132,7 +121,7 @@ void ReliefWindow::find()
     forget({});
     m_start = m_document.committed();
     ReliefWanted wanted;
-    wanted.number = ++m_asked;
+    wanted.number = m_run->newRun();
     wanted.input = {m_start, m_session.files()};
     if (m_ownLimit->isChecked())
         wanted.order.limit = m_limit->value();
@@ -146,7 +135,7 @@ void ReliefWindow::find()
 
 void ReliefWindow::stop()
 {
-    ++m_asked;
+    m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
     m_said->setText(tr("Stopped; nothing has changed."));
@@ -154,7 +143,7 @@ void ReliefWindow::stop()
 
 void ReliefWindow::take(ReliefFound found)
 {
-    if (found.number != m_asked)
+    if (!m_run->isNow(found.number))
         return;
     m_run->setRunning(false);
     if (!found.list.problem.empty()) {

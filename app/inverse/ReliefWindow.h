@@ -56,7 +56,6 @@ private:
     QWidget* m_cards = nullptr;
     QVBoxLayout* m_rows = nullptr;
 
-    int m_asked = 0;
     Design m_start; ///< of what is sought or was found
     std::optional<ReliefFound> m_found;
     LatestJob<ReliefWanted, ReliefFound> m_job; ///< last: it uses the others

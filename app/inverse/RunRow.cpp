@@ -45,4 +45,20 @@ void RunRow::setShare(double share)
         m_running->report(share);
 }
 
+void RunRow::later(int run, std::function<void()> what)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, run, what = std::move(what)] {
+            if (isNow(run))
+                what();
+        },
+        Qt::QueuedConnection);
+}
+
+std::function<void(double)> RunRow::sharesOf(int run)
+{
+    return [this, run](double share) { later(run, [this, share] { setShare(share); }); };
+}
+
 } // namespace bolster

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 
 class QProgressBar;
@@ -25,6 +26,14 @@ public:
     /// 0 to 1.
     void setShare(double share);
 
+    /// The number of a run that begins, or of none: what belongs to runs before counts no longer.
+    int newRun() { return ++m_run; }
+    bool isNow(int run) const { return run == m_run; }
+    /// From the thread of the work: does it here, if that run still counts then.
+    void later(int run, std::function<void()> what);
+    /// For the work, to say how far it is.
+    std::function<void(double)> sharesOf(int run);
+
 signals:
     void started();
     void stopped();
@@ -34,6 +43,7 @@ private:
     QProgressBar* m_bar;
     QPushButton* m_button;
     std::unique_ptr<RunningJob> m_running;
+    int m_run = 0;
 };
 
 } // namespace bolster

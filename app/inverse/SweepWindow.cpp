@@ -94,15 +94,11 @@ SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& 
                       std::optional<SweepFound> known;
                       if (found)
                           known = *found;
-                      QMetaObject::invokeMethod(
-                          this,
-                          [this, number, share, known = std::move(known)] {
-                              if (number == m_asked)
-                                  m_run->setShare(share);
-                              if (known)
-                                  take(*known);
-                          },
-                          Qt::QueuedConnection);
+                      m_run->later(number, [this, share, known = std::move(known)] {
+                          m_run->setShare(share);
+                          if (known)
+                              take(*known);
+                      });
                   },
                   stop);
           },
@@ -236,7 +232,7 @@ void SweepWindow::find()
     }
     forget(tr("Covers with each tolerance are solved \u2026"));
     m_run->setRunning(true);
-    m_job.request({++m_asked,
+    m_job.request({m_run->newRun(),
                    {m_start, m_session.files()},
                    m_tolerances,
                    static_cast<int>(m_samples->value()),
@@ -246,7 +242,7 @@ void SweepWindow::find()
 
 void SweepWindow::stop()
 {
-    ++m_asked;
+    m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
     m_said->setText(m_found ? tr("Stopped. What is shown is from linear covers.") : tr("Stopped."));
@@ -254,7 +250,7 @@ void SweepWindow::stop()
 
 void SweepWindow::take(SweepFound found)
 {
-    if (found.number != m_asked)
+    if (!m_run->isNow(found.number))
         return;
     if (!found.problem.empty() || found.p95.empty()) {
         m_run->setRunning(false);

@@ -61,7 +61,6 @@ private:
     QCheckBox* m_shown = nullptr;
     QTreeWidget* m_list = nullptr;
 
-    int m_asked = 0;
     Design m_start;                ///< of what is sought or was found
     Tolerances m_tolerances;       ///< that were asked for
     std::vector<QString> m_titles; ///< of each of them

@@ -16,24 +16,27 @@ public:
     {}
 
     std::optional<double> found;
+    std::pair<double, double> limits{-noLimit, noLimit}; // of it
 
     template <class Form, class... S>
     void field(const Field&, const Form&, S&...)
     {}
-    void field(const Field& f, const Number&, double& value) { meet(m_before + f.key, value); }
+    void field(const Field& f, const Number& form, double& value)
+    {
+        meet(m_before + f.key, value, {form.least, form.most});
+    }
     template <class Vector>
-    void field(const Field& f, const Coordinates&, Vector& value)
+    void field(const Field& f, const Coordinates& form, Vector& value)
     {
         for (Eigen::Index axis = 0; axis < value.size(); ++axis)
-            meet(m_before + f.key + "." + std::to_string(axis), value[axis]);
+            meet(m_before + f.key + "." + std::to_string(axis), value[axis], {form.least, form.most});
     }
     template <class S>
     void group(const Field& f, S& value)
     {
         NumberWalker inside(m_path, m_wanted, m_before + f.key + ".");
         inside.part({}, value);
-        if (inside.found)
-            found = inside.found;
+        take(inside);
     }
     template <class S>
     void part(const Field&, S& value)
@@ -50,8 +53,7 @@ public:
     {
         NumberWalker inside(m_path, m_wanted, m_before + f.key + ".");
         walk(inside);
-        if (inside.found)
-            found = inside.found;
+        take(inside);
     }
     template <class S>
     void list(const Field&, const Entries&, S&)
@@ -61,11 +63,20 @@ public:
     {}
 
 private:
-    void meet(const std::string& path, double& value)
+    void take(const NumberWalker& inside)
+    {
+        if (!inside.found)
+            return;
+        found = inside.found;
+        limits = inside.limits;
+    }
+
+    void meet(const std::string& path, double& value, const std::pair<double, double>& within)
     {
         if (path != m_path)
             return;
         found = value;
+        limits = within;
         if (m_wanted)
             value = *m_wanted;
     }
@@ -75,11 +86,11 @@ private:
     std::string m_before; // keys of what it is inside of
 };
 
-std::optional<double> walk(Element& element, const std::string& path, std::optional<double> wanted)
+NumberWalker walked(Element& element, const std::string& path, std::optional<double> wanted)
 {
     NumberWalker walker(path, wanted);
     describe(walker, element);
-    return walker.found;
+    return walker;
 }
 
 } // namespace
@@ -87,13 +98,20 @@ std::optional<double> walk(Element& element, const std::string& path, std::optio
 std::optional<double> numberAt(const Element& element, const std::string& path)
 {
     Element copy = element;
-    return walk(copy, path, std::nullopt);
+    return walked(copy, path, std::nullopt).found;
+}
+
+std::optional<std::pair<double, double>> numberLimits(const Element& element, const std::string& path)
+{
+    Element copy = element;
+    const NumberWalker walker = walked(copy, path, std::nullopt);
+    return walker.found ? std::optional(walker.limits) : std::nullopt;
 }
 
 ElementPtr withNumber(const Element& element, const std::string& path, double value)
 {
     Element copy = element;
-    return walk(copy, path, value) ? std::make_shared<const Element>(std::move(copy)) : nullptr;
+    return walked(copy, path, value).found ? std::make_shared<const Element>(std::move(copy)) : nullptr;
 }
 
 } // namespace bolster

@@ -13,6 +13,9 @@ struct FlattenOrder {
     double settled = 0.002; ///< mm: a round that moves no vertex farther ends a pass
 };
 
+/// While something moves: nearly right, soon.
+inline constexpr FlattenOrder draftFlattening{0.3, 40, 0.05};
+
 struct FlatPiece {
     std::vector<Vec2> at;  ///< of each vertex of the piece, mm; counter-clockwise as the piece seen from outside
     double strainRms = 0;  ///< of the cloth when it lies on the form, both directions, weighted by area; 1

@@ -23,6 +23,7 @@ constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles besi
 constexpr double openCut = 0.6;      // mm between the sides of a cut
 constexpr double touching = 0.01;    // mm
 constexpr double openWithin = 20;    // mm from its end on
+constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
 template <class Point>
@@ -223,8 +224,35 @@ private:
         }
         patch.name = piece(p).name;
         patch.fabric = m_fabric;
+        patch.grain = grainOf(p);
         patch.position = place(patch.outline.boundingBox());
         m_result.patches.back() = m_builder.add(std::move(patch));
+    }
+
+    /// Degrees. The direction as each triangle has it, laid flat, on the average.
+    double grainOf(std::size_t p) const
+    {
+        Vec2 sum = Vec2::Zero();
+        double area = 0;
+        for (const auto& corners : piece(p).triangles) {
+            const auto on = [&](std::size_t k) -> const Vec3& {
+                return m_form.points[piece(p).points[corners[k]]];
+            };
+            const auto flat = [&](std::size_t k) -> const Vec2& { return m_flat[p].at[corners[k]]; };
+            Eigen::Matrix<double, 3, 2> edges;
+            edges << on(1) - on(0), on(2) - on(0);
+            Eigen::Matrix2d laid;
+            laid << flat(1) - flat(0), flat(2) - flat(0);
+            const double size = edges.col(0).cross(edges.col(1)).norm() / 2;
+            if (!(size > 0))
+                continue;
+            area += size;
+            sum += size * (laid * (edges.transpose() * edges).inverse() * edges.transpose() * m_order.grain.along);
+        }
+        if (sum.norm() <= crossing * area) // also where no direction is given
+            return m_order.grain.angle;
+        const double degrees = std::atan2(sum.y(), sum.x()) * 180 / std::numbers::pi;
+        return std::round(10 * (degrees > 0 ? degrees : degrees + 180)) / 10; // a line has no beginning
     }
 
     void leaveOut(std::size_t p)

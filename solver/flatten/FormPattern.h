@@ -6,9 +6,17 @@
 
 namespace bolster {
 
+/// Where the grain line of the pieces goes.
+struct FormGrain {
+    Vec3 along = Vec3::Zero(); ///< a direction on the form; zero: all as the angle says
+    double angle = 90;         ///< degrees in the pattern, counter-clockwise, as pieces are turned when laid flat;
+                               ///< also of pieces that the direction crosses
+};
+
 struct FormPatternOrder {
     double tolerance = 0.2; ///< mm, of outlines and fixation curves
     Fabric fabric;
+    FormGrain grain;
     double edgeLength = 12; ///< of the design, mm
     bool twins = true;      ///< pieces that are each other's mirror image at x = 0 become twins
     double hardEdge = 20;   ///< degrees: seams that bend by less are rounded (G1)

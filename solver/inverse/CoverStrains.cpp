@@ -22,40 +22,42 @@ Eigen::Vector3d limitsOf(const Design& design, const Patch& patch, const std::op
 } // namespace
 
 CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design,
-                          const std::optional<double>& limit, const std::set<ElementId>& patches)
+                          const std::optional<double>& limit, const std::vector<std::uint32_t>& triangles)
 {
     CoverStrains result;
-    const auto count = static_cast<Eigen::Index>(topology.triangles.size());
+    const auto count = std::ssize(triangles);
     result.strains.resize(3, count);
     result.limits.resize(3, count);
     result.areas.resize(count);
-    for (const SurfaceTopology::PatchRange& range : topology.patches) {
-        const auto* patch = design.find<Patch>(range.patch);
-        if (!patch || (!patches.empty() && !patches.contains(range.patch)))
-            continue;
-        const Eigen::Vector3d limits = limitsOf(design, *patch, limit);
-        const double grain = patch->grain * std::numbers::pi / 180;
-        for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
-            std::array<Vec2, 3> rest;
-            std::array<Vec3, 3> place;
-            for (std::size_t k = 0; k < 3; ++k) {
-                rest[k] = topology.pattern[topology.triangles[t][k]];
-                place[k] = places[topology.triangles[t][k]];
-            }
-            const GrainStrain strain = grainStrain(rest, place, grain);
-            const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
-            const auto column = std::ssize(result.triangles);
-            result.strains.col(column) = Eigen::Vector3d(strain.along, strain.across, strain.shear);
-            result.limits.col(column) = limits;
-            result.areas[column] = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
-            result.triangles.push_back(t);
+    result.triangles = triangles;
+    std::vector<const Patch*> patches(topology.triangles.size(), nullptr);
+    for (const SurfaceTopology::PatchRange& range : topology.patches)
+        std::fill_n(patches.begin() + range.firstTriangle, range.triangleCount, design.find<Patch>(range.patch));
+    for (Eigen::Index column = 0; column < count; ++column) {
+        const std::uint32_t t = triangles[static_cast<std::size_t>(column)];
+        std::array<Vec2, 3> rest;
+        std::array<Vec3, 3> place;
+        for (std::size_t k = 0; k < 3; ++k) {
+            rest[k] = topology.pattern[topology.triangles[t][k]];
+            place[k] = places[topology.triangles[t][k]];
         }
+        const GrainStrain strain = grainStrain(rest, place, patches[t]->grain * std::numbers::pi / 180);
+        const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
+        result.strains.col(column) = Eigen::Vector3d(strain.along, strain.across, strain.shear);
+        result.limits.col(column) = limitsOf(design, *patches[t], limit);
+        result.areas[column] = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
     }
-    const auto meant = std::ssize(result.triangles);
-    result.strains.conservativeResize(3, meant);
-    result.limits.conservativeResize(3, meant);
-    result.areas.conservativeResize(meant);
     return result;
+}
+
+CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design,
+                          const std::optional<double>& limit)
+{
+    std::vector<std::uint32_t> all;
+    for (const SurfaceTopology::PatchRange& range : topology.patches)
+        for (std::uint32_t t = 0; design.find<Patch>(range.patch) && t < range.triangleCount; ++t)
+            all.push_back(range.firstTriangle + t);
+    return coverStrains(topology, places, design, limit, all);
 }
 
 OverLimit overLimit(const CoverStrains& strains)

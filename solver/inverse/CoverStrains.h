@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace bolster {
@@ -20,9 +19,12 @@ struct CoverStrains {
     std::vector<std::uint32_t> triangles; ///< of the topology
 };
 
-/// `places` of the vertices, mm. `limit` (%) takes the place of the fabrics'. Of these patches; none: of all.
+/// `places` of the vertices, mm. `limit` (%) takes the place of the fabrics'. Of these triangles.
 CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design,
-                          const std::optional<double>& limit, const std::set<ElementId>& patches = {});
+                          const std::optional<double>& limit, const std::vector<std::uint32_t>& triangles);
+/// Of all triangles.
+CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design,
+                          const std::optional<double>& limit);
 
 struct OverLimit {
     double energy = 0; ///< mean over the area of the squares of what is over the limit, 1

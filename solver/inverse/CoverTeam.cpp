@@ -67,7 +67,8 @@ Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Fre
         if (stop.stop_requested())
             return;
         const std::span<const Freedom> one = freedoms.subspan(static_cast<std::size_t>(k), 1);
-        const double step = one.front().step;
+        // Beside a limit to the side where there is room.
+        const double step = one.front().step > one.front().most ? -one.front().step : one.front().step;
         const auto beside = [&](double value) -> Eigen::VectorXd {
             const Design moved = withFreedoms(at, one, Eigen::VectorXd::Constant(1, value));
             return cover.follow(moved, stop) ? measure(cover, moved) : Eigen::VectorXd();

@@ -35,6 +35,24 @@ struct SizeGoal {
     double share = 1; ///< of its area as the designer left it
 };
 
+/// A disc of a patch, in the coordinates of its outline, mm.
+struct AreaSpot {
+    ElementId patch{};
+    Vec2 at = Vec2::Zero();
+    double radius = 0;
+
+    friend bool operator==(const AreaSpot&, const AreaSpot&) = default;
+};
+
+/// A part of the cover; all of it when nothing is said.
+struct FitArea {
+    std::set<ElementId> patches;
+    std::vector<AreaSpot> spots; ///< of the pattern as it was when they were painted
+
+    bool hasAny(ElementId patch) const;
+    bool has(ElementId patch, const Vec2& place) const;
+};
+
 struct FitGoals {
     FitTarget target;            ///< weight 1: what counts is the mean square distance, mm
     double targetWeight = 1;     ///
@@ -42,7 +60,7 @@ struct FitGoals {
     std::optional<double> limit; ///< in %, in their place
     double strainWeight = 2;     ///< 1 % over the limit is as bad as 1 mm
     double keepShape = 0;        ///< weight of the distance from where the cover is now
-    std::set<ElementId> patches; ///< that the target and the limits are about; none: all
+    FitArea area;                ///< that the target and the limits are about
     std::set<ElementId> smooth;  ///< patches in which no cloth shall be pressed together, which makes folds
     std::vector<SeamGoal> seams;
     std::vector<SizeGoal> sizes;
@@ -53,8 +71,9 @@ struct FitGoals {
 struct FitLocks {
     bool lengths =
         true; ///< sides of seams keep their difference; when that is far from their ease they come nearer to it
-    bool straight = true;  ///< edges that are straight stay so
-    bool corners = false;  ///< keep their angles
+    bool straight = true; ///< edges that are straight stay so
+    bool corners = false; ///< keep their angles
+    bool ease = true; ///< eases stay; else sides of seams may differ as they like, and eases become what they are
     double change = 0.005; ///< weight of 1 mm that a control point moves
 };
 

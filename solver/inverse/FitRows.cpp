@@ -18,6 +18,7 @@ constexpr double meantEase =
     0.005;                       // of the length: sides that differ by more from their ease shall come nearer to it
 constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
 constexpr double wantedLength = 0.3;
+constexpr double freeLength = 0.02;
 constexpr double straightWeight = 2;
 constexpr double cornerWeight = 50;     // mm: of a radian
 constexpr double straightWithin = 0.05; // mm
@@ -81,6 +82,24 @@ double lengthOf(const Design& design, const Stretch& stretch)
     return ArcLength2(outline).between(stretch.from, end);
 }
 
+/// Triangles whose middles lie in an area.
+std::vector<std::uint32_t> trianglesIn(const SurfaceTopology& topology, const Design& design, const FitArea& area)
+{
+    std::vector<std::uint32_t> triangles;
+    for (const SurfaceTopology::PatchRange& range : topology.patches) {
+        if (!design.find<Patch>(range.patch) || !area.hasAny(range.patch))
+            continue;
+        for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+            const auto& corners = topology.triangles[t];
+            const Vec2 sum =
+                topology.pattern[corners[0]] + topology.pattern[corners[1]] + topology.pattern[corners[2]];
+            if (area.has(range.patch, sum / 3))
+                triangles.push_back(t);
+        }
+    }
+    return triangles;
+}
+
 double pressedShare(const CoverStrains& strains)
 {
     double pressed = 0;
@@ -118,6 +137,26 @@ FitTarget targetOf(const Scan& scan, const PointCloud& cloud)
     return {scan, std::make_shared<ScanIndex>(cloud, scan.cuts)};
 }
 
+double seamDifference(const Design& design, const Seam& seam)
+{
+    return lengthOf(design, seam.b) - lengthOf(design, seam.a);
+}
+
+bool FitArea::hasAny(ElementId patch) const
+{
+    const bool painted = std::ranges::find(spots, patch, &AreaSpot::patch) != spots.end();
+    return (patches.empty() && spots.empty()) || patches.contains(patch) || painted;
+}
+
+bool FitArea::has(ElementId patch, const Vec2& place) const
+{
+    if ((patches.empty() && spots.empty()) || patches.contains(patch))
+        return true;
+    return std::ranges::any_of(spots, [&](const AreaSpot& spot) {
+        return spot.patch == patch && (spot.at - place).squaredNorm() <= spot.radius * spot.radius;
+    });
+}
+
 FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& design)
     : m_goals(goals)
     , m_locks(locks)
@@ -129,7 +168,10 @@ FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& des
     design.each<Seam>([&](ElementId, const Seam& seam) {
         const double now = differences[k++];
         const bool meant = std::abs(now - seam.ease) <= meantEase * lengthOf(design, seam.a);
-        m_wanted.push_back(meant ? Wanted{now, keptLength} : Wanted{seam.ease, wantedLength});
+        if (!locks.ease)
+            m_wanted.push_back({now, freeLength});
+        else
+            m_wanted.push_back(meant ? Wanted{now, keptLength} : Wanted{seam.ease, wantedLength});
     });
 }
 
@@ -140,6 +182,8 @@ void FitRows::aim(const WarmCover& cover)
     if (m_goals.keepShape > 0)
         addAims(cover, m_kept, m_goals.keepShape, true);
     m_seams.aim(cover);
+    m_strained = trianglesIn(*cover.mesh().topology, m_design, m_goals.area);
+    m_smoothed = trianglesIn(*cover.mesh().topology, m_design, {m_goals.smooth, {}});
 }
 
 void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere)
@@ -153,10 +197,11 @@ void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double we
     const std::size_t first = m_aims.size();
     double all = 0;
     for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
-        if (!everywhere && !isMeant(range.patch))
+        if (!everywhere && !m_goals.area.hasAny(range.patch))
             continue;
         for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
-            if (std::isnan(deviation.ofVertex[v]))
+            if (std::isnan(deviation.ofVertex[v]) ||
+                (!everywhere && !m_goals.area.has(range.patch, surface->topology->pattern[v])))
                 continue;
             const Vec3 normal = surface->normals[v].cast<double>();
             m_aims.push_back(
@@ -178,8 +223,7 @@ void FitRows::keep(const WarmCover& cover)
 
 void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
 {
-    const CoverStrains found =
-        coverStrains(*cover.mesh().topology, places, m_design, m_goals.limit, m_goals.patches);
+    const CoverStrains found = coverStrains(*cover.mesh().topology, places, m_design, m_goals.limit, m_strained);
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 3; ++k) {
@@ -191,7 +235,7 @@ void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places,
 
 void FitRows::addSmooth(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
 {
-    const CoverStrains found = coverStrains(*cover.mesh().topology, places, m_design, mostPressed, m_goals.smooth);
+    const CoverStrains found = coverStrains(*cover.mesh().topology, places, m_design, mostPressed, m_smoothed);
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 2; ++k) // along the grain and across it
@@ -217,9 +261,7 @@ void FitRows::addSizes(const Design& design, std::vector<double>& rows) const
 std::vector<double> FitRows::lengthDifferences(const Design& design) const
 {
     std::vector<double> differences;
-    design.each<Seam>([&](ElementId, const Seam& seam) {
-        differences.push_back(lengthOf(design, seam.b) - lengthOf(design, seam.a));
-    });
+    design.each<Seam>([&](ElementId, const Seam& seam) { differences.push_back(seamDifference(design, seam)); });
     return differences;
 }
 
@@ -280,15 +322,16 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
     }
     if (!m_kept.empty())
         figures.shapeRms = measureScan(*surface, m_kept.place, m_kept.index, pool).figures.rms;
+    const SurfaceTopology& topology = *cover.mesh().topology;
     const CoverStrains found =
-        coverStrains(*cover.mesh().topology, places, m_design, m_goals.limit, m_goals.patches);
+        coverStrains(topology, places, m_design, m_goals.limit, trianglesIn(topology, m_design, m_goals.area));
     figures.overLimit = bolster::overLimit(found).area;
     if (const double all = found.areas.sum(); all > 0)
         figures.strainRms =
             std::sqrt(found.strains.topRows(2).colwise().squaredNorm().dot(found.areas) / (2 * all));
     if (!m_goals.smooth.empty())
-        figures.pressed =
-            pressedShare(coverStrains(*cover.mesh().topology, places, m_design, mostPressed, m_goals.smooth));
+        figures.pressed = pressedShare(coverStrains(topology, places, m_design, mostPressed,
+                                                    trianglesIn(topology, m_design, {m_goals.smooth, {}})));
     if (!m_seams.empty())
         figures.seamRms = m_seams.rms(cover);
     for (const SizeGoal& goal : m_goals.sizes)

@@ -9,13 +9,17 @@
 
 namespace bolster {
 
+/// By how much the second side is longer than the first one, mm.
+double seamDifference(const Design& design, const Seam& seam);
+
 /// Rows of all goals for covers on one triangulation.
 class FitRows {
 public:
     /// `design`: as the designer left it.
     FitRows(const FitGoals& goals, const FitLocks& locks, const Design& design);
 
-    /// Every vertex to its nearest place on target and kept shape, until the next call.
+    /// Every vertex to its nearest place on target and kept shape, and what lies in the goals' area, until the next
+    /// call.
     void aim(const WarmCover& cover);
     /// Where this cover is is the shape that is to be kept.
     void keep(const WarmCover& cover);
@@ -37,7 +41,6 @@ private:
         double weight = 1;
     };
 
-    bool isMeant(ElementId patch) const { return m_goals.patches.empty() || m_goals.patches.contains(patch); }
     void addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere);
     void addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
     void addSmooth(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
@@ -51,6 +54,7 @@ private:
     Design m_design;
     std::vector<Wanted> m_wanted; // of all seams
     std::vector<Aim> m_aims;
+    std::vector<std::uint32_t> m_strained, m_smoothed; // triangles of these goals
     FitTarget m_kept;
     SeamLineRows m_seams;
 };

@@ -4,6 +4,7 @@
 #include "FollowEdits.h"
 #include "MeetingCurves.h"
 #include "NumberField.h"
+#include "SeamEnds.h"
 #include "SlippedOutline.h"
 
 #include <algorithm>
@@ -15,8 +16,10 @@ namespace bolster {
 
 namespace {
 
-constexpr double smoothTurn = 0.9; // cosine: an outline that turns more at a point has a corner there
-constexpr double edgeOn = 0.3;     // cosine: edges that meet flatter than that have no corner to be prolonged to
+constexpr double smoothTurn = 0.9;     // cosine: an outline that turns more at a point has a corner there
+constexpr double stiffnessStep = 0.02; // of it
+constexpr double poissonStep = 0.01;
+constexpr double edgeOn = 0.3; // cosine: edges that meet flatter than that have no corner to be prolonged to
 
 const char* const axisNames[] = {"x", "y", "z"};
 
@@ -149,6 +152,9 @@ public:
                     (*points)[k] += slipped.points()[k] - before.points()[k];
             }
             break;
+        case SeamEnd:
+            m_ends.push_back({freedom.element, freedom.from, value});
+            break;
         case CurvePlace:
             m_shifts.emplace(freedom.element, Vec3::Zero()).first->second[freedom.axis] += value;
             break;
@@ -188,6 +194,7 @@ public:
             if (now)
                 set(place.first, withNumber(*element, place.second, *now + value));
         }
+        moved = withSeamEnds(moved, m_ends);
         moved = m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
         return m_shifts.empty() ? moved : withMeetingCurves(m_design, moved);
     }
@@ -202,6 +209,7 @@ private:
     const Design& m_design;
     std::map<ElementId, std::vector<Vec2>> m_outlines;
     std::map<ElementId, Vec3> m_shifts;
+    std::vector<MovedSeamEnd> m_ends;
     std::map<std::pair<ElementId, std::string>, double> m_numbers;
 };
 
@@ -242,15 +250,28 @@ std::vector<Freedom> outlineFreedoms(const Design& design, std::span<const Eleme
     return freedoms;
 }
 
+namespace {
+
+Freedom numberFreedom(const Design& design, ElementId id, const std::string& field, std::string name, double step)
+{
+    Freedom freedom{
+        .kind = Freedom::Kind::Number, .element = id, .field = field, .name = std::move(name), .step = step};
+    const ElementPtr element = design.element(id);
+    const std::optional<double> now = numberAt(*element, field);
+    if (const auto limits = numberLimits(*element, field); limits && now) {
+        freedom.least = limits->first - *now;
+        freedom.most = limits->second - *now;
+    }
+    return freedom;
+}
+
+} // namespace
+
 std::vector<Freedom> foamFreedoms(const Design& design)
 {
     std::vector<Freedom> freedoms;
     const auto add = [&](ElementId id, const std::string& name, double step) {
-        freedoms.push_back({.kind = Freedom::Kind::Number,
-                            .element = id,
-                            .field = "dilation_mm",
-                            .name = name + ", thickness",
-                            .step = step});
+        freedoms.push_back(numberFreedom(design, id, "dilation_mm", name + ", thickness", step));
     };
     design.each<Cushion>([&](ElementId id, const Cushion& cushion) {
         if (!cushion.enabled)
@@ -286,11 +307,47 @@ std::vector<Freedom> pressureFreedoms(const Design& design)
     std::vector<Freedom> freedoms;
     design.each<Patch>([&](ElementId id, const Patch& patch) {
         if (!follows(design, patch))
-            freedoms.push_back({.kind = Freedom::Kind::Number,
-                                .element = id,
-                                .field = "pressure",
-                                .name = patch.name + ", pressure",
-                                .step = 0.05});
+            freedoms.push_back(numberFreedom(design, id, "pressure", patch.name + ", pressure", 0.05));
+    });
+    return freedoms;
+}
+
+std::vector<Freedom> stretchFreedoms(const Design& design)
+{
+    std::set<ElementId> used;
+    design.each<Patch>([&](ElementId, const Patch& patch) { used.insert(patch.fabric); });
+    std::vector<Freedom> freedoms;
+    design.each<Fabric>([&](ElementId id, const Fabric& fabric) {
+        if (!used.contains(id))
+            return;
+        freedoms.push_back(
+            numberFreedom(design, id, "stiffness", fabric.name + ", stiffness", stiffnessStep * fabric.stiffness));
+        freedoms.push_back(numberFreedom(design, id, "poisson", fabric.name + ", Poisson number", poissonStep));
+    });
+    return freedoms;
+}
+
+std::vector<Freedom> seamEndFreedoms(const Design& design)
+{
+    std::set<ElementId> mirrored; // a change of one alone would tear twins apart
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (follows(design, patch))
+            mirrored.insert({id, patch.twin->of});
+    });
+    std::vector<Freedom> freedoms;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (mirrored.contains(id))
+            return;
+        int count = 0;
+        for (const double end : seamEnds(design, id)) {
+            const Side before = sideAt(patch.outline, end, true), after = sideAt(patch.outline, end, false);
+            if (before.along.dot(after.along) > smoothTurn)
+                freedoms.push_back({.kind = Freedom::Kind::SeamEnd,
+                                    .element = id,
+                                    .index = count,
+                                    .from = end,
+                                    .name = patch.name + ", end of a seam " + std::to_string(++count)});
+        }
     });
     return freedoms;
 }

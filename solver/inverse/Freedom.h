@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Design.h"
+#include "Field.h"
 
 #include <Eigen/Core>
 
@@ -18,8 +19,10 @@ struct Freedom {
         Offset, ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
         Size,   ///< patch `element` about its middle, %
         CurvePlace, ///< fixation curve `element` along `axis`, mm; where others meet it, half as far
-        Slip,       ///< material of patch `element` from `from` to `to` along its outline, mm (SlippedOutline)
-        Number      ///< `field` of `element`, in its own unit
+        SeamEnd, ///< where stretches that are sewn or fixed end on patch `element`, at `from`, along its outline,
+                 ///< mm
+        Slip,    ///< material of patch `element` from `from` to `to` along its outline, mm (SlippedOutline)
+        Number   ///< `field` of `element`, in its own unit
     };
 
     Kind kind = Kind::OutlinePoint;
@@ -29,8 +32,9 @@ struct Freedom {
     int axis = 0;
     double from = 0, to = 0;
     std::string field = {};
-    std::string name = {}; ///< for people
-    double step = 1;       ///< by which differences are taken: what is about 1 mm at the cover
+    std::string name = {};                   ///< for people
+    double step = 1;                         ///< by which differences are taken: what is about 1 mm at the cover
+    double least = -noLimit, most = noLimit; ///< that it may be, in its own unit
 };
 
 /// The design with all of that changed, and what goes with it (twins, what lies on outlines).
@@ -44,5 +48,10 @@ std::vector<Freedom> foamFreedoms(const Design& design);
 /// Of fixation curves that are in use, but for those of twins that follow.
 std::vector<Freedom> fixationFreedoms(const Design& design);
 std::vector<Freedom> pressureFreedoms(const Design& design);
+/// Stiffness of fabrics that are in use against the others, and how much they contract across a pull.
+std::vector<Freedom> stretchFreedoms(const Design& design);
+/// Where seams and fixations end on a smooth piece of an outline; at corners the outline's points do that. None on
+/// patches that have twins or are ones.
+std::vector<Freedom> seamEndFreedoms(const Design& design);
 
 } // namespace bolster

@@ -25,8 +25,9 @@ constexpr double settledStep = 0.05;   // likewise of a step
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 3;
-constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
-constexpr double leastEffect = 1e-7; // of a freedom, against the strongest one
+constexpr double sprang = 1.5; // times the cost that the last round had: the cover has come to rest elsewhere
+constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
+constexpr double leastEffect = 1e-7;                // of a freedom, against the strongest one
 
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
 std::vector<double> edgesFor(const Design& design)
@@ -149,7 +150,8 @@ private:
 
     Design designAt(const Eigen::VectorXd& values) const
     {
-        return withFreedoms(m_input.design, m_order.freedoms, values);
+        const Design design = withFreedoms(m_input.design, m_order.freedoms, values);
+        return m_order.locks.ease ? design : withEases(m_input.design, design);
     }
 
     bool begin(double edge)
@@ -349,10 +351,11 @@ private:
             step = free.ldlt().solve(right);
             bool met = false;
             for (Eigen::Index k = 0; k < slope.size(); ++k) {
-                const double most = boundOf(k);
-                if (std::abs(before[k] + step[k]) <= most * (1 + 1e-9))
+                const auto [least, most] = boundsOf(k);
+                const double bounded = std::clamp(before[k] + step[k], least, most);
+                if (std::abs(before[k] + step[k] - bounded) <= 1e-9 * (1 + std::abs(bounded)))
                     continue;
-                step[k] = std::clamp(before[k] + step[k], -most, most) - before[k];
+                step[k] = bounded - before[k];
                 held[static_cast<std::size_t>(k)] = met = true;
             }
             if (!met)
@@ -362,11 +365,13 @@ private:
     }
 
     /// In steps.
-    double boundOf(Eigen::Index k) const
+    std::pair<double, double> boundsOf(Eigen::Index k) const
     {
-        return m_order.freedoms[static_cast<std::size_t>(k)].kind == Freedom::Kind::OutlinePoint
-                   ? m_order.mostChange / std::sqrt(2) / m_scale[k]
-                   : m_order.mostChange;
+        const Freedom& freedom = m_order.freedoms[static_cast<std::size_t>(k)];
+        const double most = freedom.kind == Freedom::Kind::OutlinePoint
+                                ? m_order.mostChange / std::sqrt(2) / m_scale[k]
+                                : m_order.mostChange;
+        return {std::max(-most, freedom.least / m_scale[k]), std::min(most, freedom.most / m_scale[k])};
     }
 
     /// No outline crosses itself, nothing is out of its limits.
@@ -422,6 +427,23 @@ double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& v
     for (const auto& [place, square] : squares)
         most = std::max(most, std::sqrt(square));
     return most;
+}
+
+Design withEases(const Design& before, const Design& changed)
+{
+    Edit edit;
+    changed.each<Seam>([&](ElementId id, const Seam& seam) {
+        const auto* old = before.find<Seam>(id);
+        if (!old)
+            return;
+        const double more = seamDifference(changed, seam) - seamDifference(before, *old);
+        if (std::abs(more) < leastWantedEase)
+            return;
+        Seam eased = seam;
+        eased.ease = std::clamp(old->ease + more, -mostWantedEase, mostWantedEase);
+        edit.changes.push_back({id, changed.element(id), makeElement(std::move(eased))});
+    });
+    return edit.empty() ? changed : changed.with(edit);
 }
 
 FitResult fitPattern(const SolveInput& input, const FitOrder& order,

@@ -42,6 +42,9 @@ struct FitResult {
     bool jumped = false;           ///< folds came or went on the way
 };
 
+/// Where seams' sides differ by more or less than before, that is how much they are wanted to differ.
+Design withEases(const Design& before, const Design& changed);
+
 /// Gauss-Newton steps with Levenberg's damping, whose derivatives are differences of covers at rest; first on few
 /// triangles, then on those of the design. A step is taken only if the cover that comes to rest is better.
 /// `progress`: share of the work, about, and what was reached. Deterministic.

@@ -1,6 +1,7 @@
 #include "WarmCover.h"
 
 #include "CoarseStart.h"
+#include "SeamEnds.h"
 #include "SheetFollow.h"
 #include "SolveFailure.h"
 #include "StateTransfer.h"
@@ -67,7 +68,41 @@ bool WarmCover::prepare(const SolveInput& input, const std::stop_token& stop)
     m_sheet = std::make_unique<PreparedSheet>(std::move(*sheet));
     m_relaxation = std::make_unique<Relaxation>(m_sheet->mesh, *m_pool, m_order.tolerance, ghosts(stop), stop);
     m_now = input;
+    m_sampled = m_sheet->design;
+    m_parameters.clear();
+    for (const OutlineSampling::Outline& outline : m_sheet->sampling.outlines)
+        m_parameters.push_back(outline.parameters);
     return !stop.stop_requested();
+}
+
+/// What is asked of the matrices follows from home and this design alone. Ends of seams that have moved along their
+/// outlines are no reason for other triangles here: the samples slide.
+SolvePlan WarmCover::planFor(const SolveInput& input) const
+{
+    SolvePlan plan = SolvePlan::Nothing;
+    for (const SolveInput* from : {&m_now, &m_homeInput}) {
+        const Design still = withStretchesOf(input.design, from->design);
+        plan = together(plan, planSolve(*from, {still, input.files}));
+        if (!(still == input.design))
+            plan = together(plan, SolvePlan::Warp);
+    }
+    return plan;
+}
+
+/// False when ends of seams have passed each other.
+bool WarmCover::slideSamples(const Design& design)
+{
+    std::vector<std::vector<double>> slid;
+    for (std::size_t o = 0; o < m_parameters.size(); ++o) {
+        const ElementId patch = m_sheet->sampling.outlines[o].patch;
+        std::optional<std::vector<double>> parameters = slidSamples(m_parameters[o], m_sampled, design, patch);
+        if (!parameters)
+            return false;
+        slid.push_back(std::move(*parameters));
+    }
+    for (std::size_t o = 0; o < slid.size(); ++o)
+        m_sheet->sampling.outlines[o].parameters = std::move(slid[o]);
+    return true;
 }
 
 Ghosts WarmCover::ghosts(const std::stop_token& stop)
@@ -76,14 +111,17 @@ Ghosts WarmCover::ghosts(const std::stop_token& stop)
     return makeGhosts({m_sheet->design, m_sheet->files}, m_sheet->mesh, m_ghostCache, said, *m_pool, stop);
 }
 
-/// The same triangles for another design. What is asked of the matrices follows from both designs alone.
+/// The same triangles for another design.
 bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
 {
-    const SolvePlan plan = together(planSolve(m_now, input), planSolve(m_homeInput, input));
+    const SolvePlan plan = planFor(input);
     // Outlines and matrix values together ask for a new triangulation in a gesture; here they have the time.
     const bool both =
         plan == SolvePlan::Rebuild && m_now.design.settings().edgeLength == input.design.settings().edgeLength;
     if (plan > SolvePlan::Warp && !both)
+        return false;
+    const bool warps = both || plan == SolvePlan::Warp;
+    if (warps && !slideSamples(input.design))
         return false;
     Problems problems;
     if (!followDesign(*m_sheet, m_warp, input, both ? SolvePlan::Warp : plan, *m_pool, problems))
@@ -94,7 +132,7 @@ bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
         return false;
     }
     const bool refactors = both || plan == SolvePlan::Refactor;
-    if (both || plan == SolvePlan::Warp)
+    if (warps)
         m_relaxation->reshape(ghosts(stop));
     if (refactors)
         m_relaxation->refactor(ghosts(stop));
@@ -133,6 +171,8 @@ bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
     std::unique_ptr<Relaxation> relaxation = std::move(m_relaxation);
     std::optional<PatternWarp> warp = std::exchange(m_warp, std::nullopt);
     SolveInput now = m_now;
+    Design sampled = m_sampled;
+    std::vector<std::vector<double>> parameters = m_parameters;
     m_problem = {};
     if (prepare(asWanted(design), stop)) {
         m_relaxation->startNear(transferState(sheet->mesh, m_home, m_sheet->mesh));
@@ -145,6 +185,8 @@ bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
     m_sheet = std::move(sheet);
     m_warp = std::move(warp);
     m_now = std::move(now);
+    m_sampled = std::move(sampled);
+    m_parameters = std::move(parameters);
     return false;
 }
 

@@ -5,6 +5,7 @@
 #include "PatternWarp.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
+#include "SolvePlan.h"
 #include "SurfaceMesh.h"
 
 #include <memory>
@@ -48,6 +49,8 @@ private:
     SolveInput asWanted(const Design& design) const;
     bool prepare(const SolveInput& input, const std::stop_token& stop);
     Ghosts ghosts(const std::stop_token& stop);
+    SolvePlan planFor(const SolveInput& input) const;
+    bool slideSamples(const Design& design);
     bool adapt(const SolveInput& input, const std::stop_token& stop);
     bool comeToRest(const std::stop_token& stop);
     bool factorsAreHome() const { return m_relaxation->factorings() == m_homeFactors; }
@@ -60,6 +63,8 @@ private:
     std::unique_ptr<PreparedSheet> m_sheet;
     std::unique_ptr<Relaxation> m_relaxation;
     std::optional<PatternWarp> m_warp;
+    Design m_sampled;                              // the design that was triangulated,
+    std::vector<std::vector<double>> m_parameters; // and where its outlines were sampled
     SolveInput m_now;
     SolveInput m_homeInput;
     SheetState m_home;

@@ -1,6 +1,7 @@
 // From a form to its pattern, and a pattern that follows a goal: by pointer and keys.
 #include "WindowTest.h"
 
+#include "AreaRow.h"
 #include "CauseWindow.h"
 #include "DesignJson.h"
 #include "Designer.h"
@@ -254,6 +255,49 @@ TEST_F(BothWaysTest, TheWindowCanBeClosedWhileAChangeIsShown)
     QTest::keyClick(dialog, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasFound(); }, 120000));
     EXPECT_TRUE(window.document().gestureRunning()); // what follows ends with it
+}
+
+/// The brush paints over the cover, takes away with Shift, and is put away with Escape.
+TEST_F(BothWaysTest, AnAreaIsPaintedOnTheCover)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilAtRest());
+    designer.choose({"Pattern", "Fit to a goal"});
+    auto* dialog = window.findChild<PatternFitWindow*>();
+    ASSERT_TRUE(dialog);
+    auto* area = dialog->findChild<AreaRow*>();
+    ASSERT_TRUE(area);
+    EXPECT_FALSE(area->wanted());
+    pressIn(*area, "Paint");
+    EXPECT_TRUE(area->wanted());
+    EXPECT_EQ(window.coverView().tool(), CoverToolKind::PaintArea);
+    EXPECT_TRUE(area->spots().empty());
+    const SurfaceMeshPtr cover = window.solver().surface();
+    const auto top = std::ranges::max_element(cover->positions, {}, [](const Vec3& at) { return at.z(); });
+    designer.clickCover(*top);
+    ASSERT_FALSE(area->spots().empty());
+    const SurfaceTopology& topology = *cover->topology;
+    const auto v = static_cast<std::uint32_t>(top - cover->positions.begin());
+    const auto range = std::ranges::find_if(topology.patches, [&](const SurfaceTopology::PatchRange& patch) {
+        return v >= patch.firstVertex && v < patch.firstVertex + patch.vertexCount;
+    });
+    EXPECT_TRUE((FitArea{{}, area->spots()}.has(range->patch, topology.pattern[v])));
+    EXPECT_TRUE(window.maps().hasGuest()) << "it is seen in colours";
+    takeKeyboard();
+    window.coverView().setFocus();
+    designer.key(Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.coverView().tool() == CoverToolKind::Select; }, 5000));
+    EXPECT_FALSE(area->spots().empty()) << "what was painted stays";
+    pressIn(*area, "Clear");
+    EXPECT_TRUE(area->spots().empty());
+    takeKeyboard(*dialog);
+    pressIn(*dialog, "Find changes");
+    bool said = false;
+    for (const auto* label : dialog->findChildren<QLabel*>())
+        said = said || label->text().startsWith("Paint the area");
+    EXPECT_TRUE(said) << "an area was wanted, and nothing is painted";
+    dialog->close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.maps().hasGuest(); }, 5000));
 }
 
 /// As soon as it is chosen, while the frame is still being laid flat.

@@ -45,6 +45,25 @@ void expectSound(const FormPattern& pattern)
         ADD_FAILURE() << note.english();
 }
 
+/// On the pipe upwards is along it, sideways around it; what points at its middle lies in no direction.
+TEST(Flatten, GrainRunsAsAsked)
+{
+    const Form form = cutForm(halfPipe(100, 200), {});
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    const auto grainFor = [&](const FormGrain& grain) {
+        FormPatternOrder order;
+        order.grain = grain;
+        return onlyPatch(formPattern(form, flat, order)).grain;
+    };
+    EXPECT_EQ(grainFor({}), 90);
+    EXPECT_EQ(grainFor({Vec3::UnitZ()}), 90);
+    EXPECT_NEAR(std::abs(grainFor({Vec3::UnitX(), 0}) - 90), 90, 0.2) << "0 or 180: across";
+    EXPECT_EQ(grainFor({Vec3::UnitY(), 90}), 90) << "in front and behind it points to opposite sides";
+    EXPECT_EQ(grainFor({Vec3::Zero(), 30}), 30);
+    EXPECT_NEAR(grainFor({Vec3(1, 0, 1).normalized(), 0}), 57.5, 1)
+        << "between: sideways is seen shorter by 2 to pi";
+}
+
 TEST(Flatten, HalfAPipeIsARectangle)
 {
     const Form form = cutForm(halfPipe(100, 200), {});

@@ -1,22 +1,29 @@
 // What fits, derivatives and sweeps reach on real covers, as Markdown tables.
+#include "CauseFinder.h"
 #include "CoverMove.h"
 #include "CoverTeam.h"
 #include "DesignFile.h"
+#include "Flatten.h"
+#include "FormPattern.h"
 #include "PatternFit.h"
+#include "Reliefs.h"
 #include "RestingSolve.h"
 #include "Sweep.h"
 #include "TestPaths.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <numbers>
 #include <random>
 #include <string_view>
+#include <thread>
 
 namespace bolster::test {
 namespace {
@@ -30,6 +37,7 @@ struct Amount {
     int seeds = 3;
     int samples = 1000;
     int numbers = 24;
+    double limit = 2; ///< of strain, %
 };
 
 Real realAt(const char* name, const std::string& path)
@@ -182,25 +190,31 @@ void printFits(const std::vector<Real>& covers, const Amount& amount)
     }
 }
 
-void printStrains(const std::vector<Real>& covers)
+/// Of the right pattern, and of the same bent ones as above.
+void printStrains(const std::vector<Real>& covers, const Amount& amount)
 {
     std::printf(
-        "\n### Strain below 2 %%, without a scan\n\n"
-        "| cover | area over the limit before | after | cover changed, rms mm | seams' sides mm | points moved "
-        "mm | time s |\n|---|---|---|---|---|---|---|\n");
-    for (const Real& real : covers) {
-        FitOrder order;
-        order.goals.strain = true;
-        order.goals.limit = 2;
-        order.goals.keepShape = 0.5;
-        order.freedoms = outlineFreedoms(real.input.design);
-        const Stopwatch watch;
-        const FitResult result = fitPattern(real.input, order);
-        std::printf("| %s | %.1f %% | %.1f %% | %.2f | %.2f | %.1f | %.0f |\n", real.name,
-                    100 * result.before.overLimit, 100 * result.after.overLimit, result.after.shapeRms,
-                    result.after.sewnMost, largestChange(order.freedoms, result.values), watch.seconds());
-        std::fflush(stdout);
-    }
+        "\n### Strain below a limit, without a scan\n\n"
+        "| cover | seed (0: as it is) | limit | area over it before | after | cover changed, rms mm | seams' "
+        "sides mm | points moved mm | time s |\n|---|---|---|---|---|---|---|---|---|\n");
+    for (const Real& real : covers)
+        for (int seed = 0; seed <= amount.seeds; ++seed) {
+            const SolveInput wrong{seed > 0 ? bent(real.input.design, static_cast<std::uint64_t>(seed))
+                                            : real.input.design,
+                                   real.input.files};
+            FitOrder order;
+            order.goals.strain = true;
+            order.goals.keepShape = 0.5;
+            order.goals.limit = amount.limit;
+            order.freedoms = outlineFreedoms(wrong.design);
+            const Stopwatch watch;
+            const FitResult result = fitPattern(wrong, order);
+            std::printf("| %s | %d | %.1f %% | %.1f %% | %.1f %% | %.2f | %.2f | %.1f | %.0f |\n", real.name, seed,
+                        amount.limit, 100 * result.before.overLimit, 100 * result.after.overLimit,
+                        result.after.shapeRms, result.after.sewnMost, largestChange(order.freedoms, result.values),
+                        watch.seconds());
+            std::fflush(stdout);
+        }
 }
 
 void printSweeps(const std::vector<Real>& covers, const Amount& amount)
@@ -322,10 +336,149 @@ void printDerivatives(const std::vector<Real>& covers, const Amount& amount)
     }
 }
 
+/// A bucket of about as many vertices: a seat that rises into a back and to both sides, mm.
+TriangleMesh bucket(int vertices)
+{
+    const int side = static_cast<int>(std::sqrt(vertices)) - 1;
+    TriangleMesh mesh;
+    for (int row = 0; row <= side; ++row)
+        for (int column = 0; column <= side; ++column) {
+            const double u = 2.0 * column / side - 1, v = 2.0 * row / side - 1;
+            mesh.points.emplace_back(260 * u, 280 * v, 160 * std::pow(std::max(0.0, v), 2) + 90 * u * u * u * u);
+        }
+    const auto at = [&](int row, int column) { return static_cast<std::uint32_t>(row * (side + 1) + column); };
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            mesh.triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
+            mesh.triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
+        }
+    mesh.parts.push_back({"Seat", 0, static_cast<std::uint32_t>(mesh.triangles.size())});
+    return mesh;
+}
+
+FormLine lineAcross(const char* name, double share, bool lengthways)
+{
+    FormLine line{name, {}, false};
+    for (int k = 0; k <= 40; ++k) {
+        const double u = 2.0 * k / 40 - 1, across = share + 0.05 * (1 - u * u);
+        const double x = lengthways ? across : u, y = lengthways ? u : across;
+        line.points.emplace_back(260 * x, 280 * y, 160 * std::pow(std::max(0.0, y), 2) + 90 * x * x * x * x);
+    }
+    return line;
+}
+
+/// What the window does while a seam line is dragged, and when it is let go.
+void printDraggedLines()
+{
+    std::printf(
+        "\n### A seam line is dragged on a form\n\n"
+        "A bucket seat, four lines drawn on it, one of which goes in 20 steps. Each step cuts the form anew, "
+        "lays all pieces flat and makes the pattern.\n\n"
+        "| vertices | pieces | a step, median s | at most s | when it is let go s |\n|---|---|---|---|---|\n");
+    for (const int vertices : {2500, 10000, 22500}) {
+        const TriangleMesh mesh = bucket(vertices);
+        std::vector<double> times;
+        std::size_t pieces = 0;
+        double whole = 0;
+        for (int step = 0; step <= 20; ++step) {
+            FormCuts cuts;
+            cuts.lines = {lineAcross("left", -0.5, true), lineAcross("right", 0.45, true),
+                          lineAcross("back", 0.1, false), lineAcross("moves", -0.6 + 0.02 * step, false)};
+            const Stopwatch watch;
+            const Form form = cutForm(mesh, cuts);
+            const FlattenOrder order = step < 20 ? draftFlattening : FlattenOrder{};
+            const FormPattern pattern = formPattern(form, flatten(form, order), {});
+            (step < 20 ? times.emplace_back() : whole) = watch.seconds();
+            pieces = pattern.patches.size();
+        }
+        std::ranges::sort(times);
+        std::printf("| %zu | %zu | %.3f | %.3f | %.2f |\n", mesh.points.size(), pieces, times[times.size() / 2],
+                    times.back(), whole);
+        std::fflush(stdout);
+    }
+}
+
+struct Stopped {
+    double whole = 0;           ///< s, undisturbed
+    std::vector<double> delays; ///< s, from the wish to the end
+};
+
+/// Stopped after several shares of its time.
+Stopped stopAtShares(const std::function<void(const std::stop_token&)>& work)
+{
+    Stopped stopped;
+    const Stopwatch watch;
+    work({});
+    stopped.whole = watch.seconds();
+    for (const double share : {0.02, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95}) {
+        std::atomic<bool> ended = false;
+        std::jthread thread([&](const std::stop_token& stop) {
+            work(stop);
+            ended = true;
+        });
+        std::this_thread::sleep_for(std::chrono::duration<double>(share * stopped.whole));
+        const bool early = !ended;
+        const Stopwatch delay;
+        thread.request_stop();
+        thread.join();
+        if (early)
+            stopped.delays.push_back(delay.seconds());
+    }
+    return stopped;
+}
+
+void printCancelling(const std::vector<Real>& covers)
+{
+    std::printf("\n### Stopping\n\n| work | cover | the whole s | stopped so often | it ends after, median s | "
+                "at most s |\n|---|---|---|---|---|---|\n");
+    const auto print = [](const char* work, const char* cover, const Stopped& stopped) {
+        std::vector<double> delays = stopped.delays;
+        std::ranges::sort(delays);
+        if (!delays.empty())
+            std::printf("| %s | %s | %.1f | %zu | %.3f | %.3f |\n", work, cover, stopped.whole, delays.size(),
+                        delays[delays.size() / 2], delays.back());
+        std::fflush(stdout);
+    };
+    const TriangleMesh form = bucket(160'000);
+    print("laying a form flat", "bucket, 160,000 vertices", stopAtShares([&](const std::stop_token& stop) {
+              FormCuts cuts;
+              cuts.lines = {lineAcross("left", -0.5, true), lineAcross("back", 0.1, false)};
+              flatten(cutForm(form, cuts, stop), {}, stop);
+          }));
+    for (const Real& real : covers) {
+        const SurfaceMeshPtr right = restingCover(real.input);
+        const SolveInput wrong{bent(real.input.design, 1), real.input.files};
+        FitOrder order;
+        order.goals.target = targetOf(Scan{}, scanned(*right, 1));
+        order.freedoms = outlineFreedoms(wrong.design);
+        print("fit", real.name,
+              stopAtShares([&](const std::stop_token& stop) { fitPattern(wrong, order, {}, stop); }));
+        print("reliefs", real.name, stopAtShares([&](const std::stop_token& stop) {
+                  ReliefOrder relief;
+                  relief.limit = 2;
+                  proposeReliefs(wrong, relief, {}, stop);
+              }));
+        print("causes", real.name, stopAtShares([&](const std::stop_token& stop) {
+                  CauseFinder finder(real.input, {}, {}, stop);
+                  if (!stop.stop_requested())
+                      finder.explain(order.goals.target, {}, stop);
+              }));
+        print("tolerances", real.name, stopAtShares([&](const std::stop_token& stop) {
+                  Tolerances tolerances;
+                  tolerances.all = cutTolerances(real.input.design, 1);
+                  Sweep sweep(real.input, tolerances, 0, stop);
+                  if (!stop.stop_requested())
+                      linearP95(sweep.linear({}, stop), tolerances, 10000, stop);
+                  if (!stop.stop_requested())
+                      sweep.solve(0, 40, stop);
+              }));
+    }
+}
+
 int run(int count, char** words)
 {
     Amount amount;
-    std::string which = "abcd";
+    std::string which = "abcdef";
     for (int k = 1; k < count; ++k) {
         const std::string_view word = words[k];
         if (word == "--quick")
@@ -334,12 +487,16 @@ int run(int count, char** words)
             amount.samples = std::max(1, std::atoi(words[++k]));
         else if (word == "--seeds" && k + 1 < count)
             amount.seeds = std::max(1, std::atoi(words[++k]));
+        else if (word == "--limit" && k + 1 < count)
+            amount.limit = std::atof(words[++k]);
         else if (word == "--only" && k + 1 < count)
             which = words[++k];
         else {
             std::cout
-                << "Usage: bolster_inverse_figures [--quick] [--samples N] [--seeds N] [--only LETTERS]\n\n"
-                   "Tables: a a bent pattern comes back, b strain below a limit, c tolerances, d derivatives.\n";
+                << "Usage: bolster_inverse_figures [--quick] [--samples N] [--seeds N] [--limit PERCENT] [--only "
+                   "LETTERS]\n\n"
+                   "Tables: a a bent pattern comes back, b strain below a limit, c tolerances, d derivatives, "
+                   "e a dragged seam line, f stopping.\n";
             return word == "--help" ? EXIT_SUCCESS : EXIT_FAILURE;
         }
     }
@@ -351,11 +508,15 @@ int run(int count, char** words)
     if (wants('a'))
         printFits(covers, amount);
     if (wants('b'))
-        printStrains(covers);
+        printStrains(covers, amount);
     if (wants('c'))
         printSweeps(withPillow, amount);
     if (wants('d'))
         printDerivatives(covers, amount);
+    if (wants('e'))
+        printDraggedLines();
+    if (wants('f'))
+        printCancelling(covers);
     return EXIT_SUCCESS;
 }
 

@@ -108,6 +108,100 @@ TEST(FitGoals, ClothThatIsPressedTogetherGetsSmooth)
     EXPECT_LT(result.after.pressed, 0.5 * result.before.pressed);
 }
 
+/// What lies outside of the area may be as far off as it likes.
+TEST(FitGoals, OnlyAPaintedAreaCounts)
+{
+    FitArea area{{}, {{ElementId{7}, Vec2(100, 50), 20}}};
+    EXPECT_TRUE(area.has(ElementId{7}, Vec2(110, 60)));
+    EXPECT_FALSE(area.has(ElementId{7}, Vec2(125, 50)));
+    EXPECT_FALSE(area.has(ElementId{8}, Vec2(100, 50)));
+    EXPECT_FALSE(area.hasAny(ElementId{8}));
+    area.patches.insert(ElementId{8});
+    EXPECT_TRUE(area.has(ElementId{8}, Vec2(0, 0))) << "all of a patch, and a spot of another";
+    EXPECT_TRUE(FitArea{}.has(ElementId{9}, Vec2(0, 0))) << "nothing said: everything";
+
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    const ElementId patch = firstPatch(design);
+    const auto overIn = [&](const FitArea& meant) {
+        FitOrder order = orderFor(design);
+        order.mostRounds = 1;
+        order.goals.strain = true;
+        order.goals.limit = 0.5;
+        order.goals.area = meant;
+        return fitPattern(design, order);
+    };
+    const Vec2 middle = design.find<Patch>(patch)->outline.boundingBox().center();
+    const FitResult everywhere = overIn({}), there = overIn({{}, {{patch, middle, 60}}});
+    ASSERT_EQ(there.status, FitResult::Status::Done) << there.reason.english();
+    EXPECT_NE(there.before.overLimit, everywhere.before.overLimit);
+    EXPECT_LT(there.after.overLimit, there.before.overLimit);
+}
+
+/// A seam between edges of different lengths: with the ease as it is its sides come nearer to each other, with a
+/// free one the ease becomes what they are.
+TEST(FitGoals, EasesBecomeWhatSidesAre)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    const ElementId patch = firstPatch(design);
+    FitOrder order = orderFor(design);
+    order.goals.sizes = {{patch, 0.95}};
+    const FitResult kept = fitPattern(design, order);
+    order.locks.ease = false;
+    const FitResult free = fitPattern(design, order);
+    ASSERT_EQ(kept.status, FitResult::Status::Done) << kept.reason.english();
+    ASSERT_EQ(free.status, FitResult::Status::Done) << free.reason.english();
+    const auto differences = [&](const Design& of) {
+        std::vector<double> all;
+        of.each<Seam>([&](ElementId, const Seam& seam) {
+            const auto length = [&](const Stretch& stretch) {
+                const BSpline2& outline = of.find<Patch>(stretch.patch)->outline;
+                return ArcLength2(outline).between(
+                    stretch.from,
+                    unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()));
+            };
+            all.push_back(length(seam.b) - length(seam.a));
+        });
+        return all;
+    };
+    const std::vector<double> before = differences(design), after = differences(free.design);
+    std::size_t k = 0;
+    double most = 0;
+    free.design.each<Seam>([&](ElementId id, const Seam& seam) {
+        const double more = after[k] - before[k];
+        EXPECT_NEAR(seam.ease, design.find<Seam>(id)->ease + more, 0.06) << number(id);
+        most = std::max(most, std::abs(more));
+        ++k;
+    });
+    EXPECT_GT(most, 1) << "mm: the patch alone became smaller";
+    kept.design.each<Seam>(
+        [&](ElementId id, const Seam& seam) { EXPECT_EQ(seam.ease, design.find<Seam>(id)->ease); });
+}
+
+/// The cover of a fabric that contracts more is fitted by the fabric's own numbers, which stay within their limits.
+TEST(FitGoals, AFabricsStretchIsFound)
+{
+    const Design design = coarseSample("cylinder", coarseEdge);
+    const std::vector<Freedom> freedoms = stretchFreedoms(design);
+    ASSERT_EQ(freedoms.size(), 2u) << "stiffness and Poisson number of its fabric";
+    EXPECT_NEAR(freedoms[1].most + design.find<Fabric>(freedoms[1].element)->poisson, 0.5, 1e-12);
+    EXPECT_NEAR(freedoms[1].least + design.find<Fabric>(freedoms[1].element)->poisson, -0.5, 1e-12);
+    const Design other = changedBy(design, freedoms[1], -0.4);
+    const SolveResult cover = solved(other, 1e-6);
+    ASSERT_TRUE(cover.surface);
+    PointCloud cloud;
+    for (const Vec3& place : cover.surface->positions)
+        cloud.points.push_back(place);
+    FitOrder order;
+    order.goals.target = targetOf(Scan{}, cloud);
+    order.freedoms = {freedoms[1]};
+    order.mostChange = 100;
+    const FitResult result = fitPattern(design, order);
+    ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
+    EXPECT_LT(result.after.distanceRms, result.before.distanceRms);
+    EXPECT_GE(result.values[0], freedoms[1].least);
+    EXPECT_LE(result.values[0], freedoms[1].most);
+}
+
 TEST(FitGoals, AnElementThatIsGoneIsNoGoal)
 {
     const Design design = coarseSample("box-cushion", coarseEdge);

@@ -42,8 +42,9 @@ void InverseCommands::addCommands(Commands& commands)
                   .enabled = anyPatch,
                   .does = [this] {
                       show(m_fit, [this] {
-                          return new PatternFitWindow(m_parts.session, m_parts.selection, m_parts.pattern,
-                                                      &m_parts.window);
+                          return new PatternFitWindow(
+                              m_parts.session, m_parts.selection,
+                              {m_parts.pattern, {m_parts.solver, m_parts.maps, m_parts.cover}}, &m_parts.window);
                       });
                   }});
     commands.add(

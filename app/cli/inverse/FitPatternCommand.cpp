@@ -34,12 +34,15 @@ Goals (--to may be given more than once):
 
 Options:
   --out FILE.json       the changed design; never replaced when it is there already
-  --freedom WORDS       what may change: outlines (the usual), foam, fixations, pressure,
-                        with commas between them
+  --freedom WORDS       what may change: outlines (the usual), seams (where they end on
+                        smooth edges), ease (how much the sides of seams differ), foam,
+                        fixations, pressure, stretch (stiffness and Poisson number of
+                        the fabrics), with commas between them
   --lock WORDS          what stays: lengths (of seams against each other), straight
                         (edges), corners (their angles), patch:NAME; lengths,straight
                         without this. Grain, twins and notches always stay.
   --patch NAME          only these patches shall come nearer to the goal (may repeat)
+  --area PATCH:X,Y,R    only this disc of a patch's plane (mm; may repeat)
   --max-change MM       how far a control point may move (20)
   --limit PERCENT       of strain, instead of the limits of the fabrics
   --unit mm|cm|m|in|ft  what the numbers in FILE are (mm)
@@ -56,10 +59,10 @@ Exit code:
 namespace {
 
 constexpr std::array fitRules = {
-    OptionRule{"--to", true, true}, OptionRule{"--out", true},         OptionRule{"--freedom", true},
-    OptionRule{"--lock", true},     OptionRule{"--patch", true, true}, OptionRule{"--max-change", true},
-    OptionRule{"--limit", true},    OptionRule{"--unit", true},        OptionRule{"--up", true},
-    OptionRule{"--threads", true},  OptionRule{"--report", true}};
+    OptionRule{"--to", true, true},   OptionRule{"--out", true},         OptionRule{"--freedom", true},
+    OptionRule{"--lock", true},       OptionRule{"--patch", true, true}, OptionRule{"--area", true, true},
+    OptionRule{"--max-change", true}, OptionRule{"--limit", true},       OptionRule{"--unit", true},
+    OptionRule{"--up", true},         OptionRule{"--threads", true},     OptionRule{"--report", true}};
 
 /// Words with commas between them. Throws UsageError for an empty one.
 std::vector<std::string> wordsOf(const QString& text, const std::string& option)
@@ -82,6 +85,24 @@ ElementId patchNamed(const Design& design, const std::string& name)
     if (found == noElement)
         throw UsageError("the design has no patch \"" + name + "\"");
     return found;
+}
+
+/// "Seat:120,40,60".
+AreaSpot spotOf(const std::string& text, const Design& design)
+{
+    const std::size_t colon = text.rfind(':');
+    const QStringList numbers =
+        QString::fromStdString(text.substr(std::min(colon, text.size() - 1) + 1)).split(',');
+    std::vector<double> values;
+    bool known = colon != std::string::npos && numbers.size() == 3;
+    for (const QString& number : numbers) {
+        bool isNumber = false;
+        values.push_back(number.toDouble(&isNumber));
+        known = known && isNumber && std::abs(values.back()) <= 1e6;
+    }
+    if (!known || !(values[2] > 0))
+        throw UsageError("--area takes PATCH:X,Y,R in mm, such as Seat:120,40,60, not \"" + text + "\"");
+    return {patchNamed(design, text.substr(0, colon)), {values[0], values[1]}, values[2]};
 }
 
 /// "seam:12=Ridge": what is before the sign, and after it. Throws UsageError without the sign.
@@ -184,9 +205,20 @@ void readFreedoms(const Arguments& arguments, const Design& design, Asked& asked
             add(fixationFreedoms(design));
         else if (word == "pressure")
             add(pressureFreedoms(design));
+        else if (word == "stretch")
+            add(stretchFreedoms(design));
+        else if (word == "seams")
+            add(seamEndFreedoms(design));
+        else if (word == "ease")
+            asked.order.locks.ease = false;
         else
-            throw UsageError("--freedom knows outlines, foam, fixations and pressure, not \"" + word + "\"");
+            throw UsageError(
+                "--freedom knows outlines, seams, ease, foam, fixations, pressure and stretch, not \"" + word +
+                "\"");
     }
+    if (asked.order.freedoms.empty() && !asked.order.locks.ease)
+        throw UsageError("--freedom ease: sides of seams come to differ when outlines may change, too: "
+                         "--freedom outlines,ease");
     if (asked.order.freedoms.empty())
         throw UsageError("the design has nothing of what --freedom names");
 }
@@ -203,7 +235,9 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
     readFreedoms(arguments, opened.design, asked);
     FitGoals& goals = asked.order.goals;
     for (const std::string& name : arguments.values("--patch"))
-        goals.patches.insert(patchNamed(opened.design, name));
+        goals.area.patches.insert(patchNamed(opened.design, name));
+    for (const std::string& spot : arguments.values("--area"))
+        goals.area.spots.push_back(spotOf(spot, opened.design));
     for (const std::string& goal : arguments.values("--to")) {
         if (goal == "strain")
             goals.strain = true;

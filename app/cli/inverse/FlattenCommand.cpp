@@ -33,6 +33,8 @@ Options:
                         the triangles of one face do (21 degrees)
   --along DESIGN        and along the fixation curves of this design
   --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
+  --grain DIRECTION     of the grain line: up (the usual way), back or side on the form,
+                        or an angle in the pattern, degrees
   --edge MM             edges of the design's triangles (12)
   --unit mm|cm|m|in|ft  what the numbers in the file are (mm)
   --up y|z              what points up in the file (z)
@@ -49,10 +51,10 @@ namespace {
 constexpr double bendOfFaces =
     21; // degrees: CAD files are read with triangles that bend by 20 at most within a face
 
-constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
-                                     OptionRule{"--fabric", true}, OptionRule{"--edge", true},
-                                     OptionRule{"--unit", true},   OptionRule{"--up", true},
-                                     OptionRule{"--report", true}, OptionRule{"--along", true}};
+constexpr std::array flattenRules = {
+    OptionRule{"--out", true},    OptionRule{"--by", true},    OptionRule{"--fabric", true},
+    OptionRule{"--edge", true},   OptionRule{"--unit", true},  OptionRule{"--up", true},
+    OptionRule{"--report", true}, OptionRule{"--along", true}, OptionRule{"--grain", true}};
 
 double numberIn(const std::string& text, const std::string& what, double least, double most)
 {
@@ -95,6 +97,22 @@ Fabric fabricOf(const Arguments& arguments)
             throw UsageError("--fabric knows poisson, stiffness and bending, not \"" + key + "\"");
     }
     return fabric;
+}
+
+FormGrain grainOf(const Arguments& arguments)
+{
+    const std::string word = arguments.path("--grain").toStdString();
+    if (word.empty() || word == "up")
+        return {}; // pieces are turned so that up is up
+    if (word == "back")
+        return {Vec3::UnitY()};
+    if (word == "side")
+        return {Vec3::UnitX(), 0};
+    bool ok = false;
+    const double angle = QString::fromStdString(word).toDouble(&ok);
+    if (!ok || !(std::abs(angle) <= 360))
+        throw UsageError("--grain is up, back, side or an angle from -360 to 360, not \"" + word + "\"");
+    return {Vec3::Zero(), angle};
 }
 
 TriangleMesh upright(TriangleMesh mesh, const Arguments& arguments)
@@ -158,6 +176,7 @@ int flattenForm(std::span<const std::string> words)
     FormCuts cuts = cutsOf(arguments);
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);
+    order.grain = grainOf(arguments);
     order.edgeLength = arguments.number("--edge", order.edgeLength, 0.5, 1000);
     if (QFileInfo::exists(out)) {
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");

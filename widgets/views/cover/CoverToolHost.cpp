@@ -40,6 +40,12 @@ void CoverToolHost::startFrameEdges(OfferedEdgesPtr edges)
     replaceTool(std::make_unique<FrameEdgeTool>(static_cast<CoverToolContext&>(*this), std::move(edges)));
 }
 
+void CoverToolHost::startAreaBrush(double radius, AreaBrushTool::Take take)
+{
+    setTool(CoverToolKind::PaintArea);
+    replaceTool(std::make_unique<AreaBrushTool>(static_cast<CoverToolContext&>(*this), radius, std::move(take)));
+}
+
 QString CoverToolHost::prompt() const
 {
     return m_section.hovering() ? m_section.prompt() : tool().prompt();

@@ -1,6 +1,7 @@
 // The tool of the 3D view, and what it may see of that.
 #pragma once
 
+#include "AreaBrushTool.h"
 #include "CoverTools.h"
 #include "FrameEdgeTool.h"
 #include "ScanAlignTool.h"
@@ -26,6 +27,8 @@ public:
     void startScanAlign(ElementId scan, ScanAlignTool::Done done, std::vector<ScanMark> marks);
     /// Clicks make fixation curves of these.
     void startFrameEdges(OfferedEdgesPtr edges);
+    /// Drags over the cover paint.
+    void startAreaBrush(double radius, AreaBrushTool::Take take);
     /// Of the tool, or of the section's handle when the pointer is on it.
     QString prompt() const override;
     QCursor cursor() const;

@@ -1,4 +1,5 @@
-// The tools of the 3D view. Some need to know for what: CoverView::startScanCut, startScanAlign, startFrameEdges.
+// The tools of the 3D view. Some need to know for what: CoverView::startScanCut, startScanAlign, startFrameEdges,
+// startAreaBrush.
 #pragma once
 
 #include "CoverTool.h"
@@ -7,7 +8,7 @@
 
 namespace bolster {
 
-enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation, FixEdge };
+enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation, FixEdge, PaintArea };
 
 std::unique_ptr<CoverTool> makeSurfaceTool(CoverToolKind kind, CoverToolContext& context);
 

@@ -82,6 +82,11 @@ public:
     }
     /// Clicks make fixation curves of these edges.
     void startFrameEdges(OfferedEdgesPtr edges) { m_tools.startFrameEdges(std::move(edges)); }
+    /// Drags over the cover paint an area, brush `radius` in mm.
+    void startAreaBrush(double radius, AreaBrushTool::Take take)
+    {
+        m_tools.startAreaBrush(radius, std::move(take));
+    }
     /// What can be done now, for the status bar.
     QString prompt() const { return m_tools.prompt(); }
     CoverHit hit(QPointF pixel) const { return m_tools.hit(pixel); }

@@ -1,0 +1,49 @@
+// Paints a part of the cover, with a round brush.
+#pragma once
+
+#include "CoverTool.h"
+
+#include <QCoreApplication>
+
+#include <functional>
+
+namespace bolster {
+
+/// A drag paints, with Shift or Ctrl it takes away; plus and minus change the brush. Esc ends.
+class AreaBrushTool : public CoverTool {
+    Q_DECLARE_TR_FUNCTIONS(AreaBrushTool)
+
+public:
+    struct Stamp {
+        Vec3 middle = Vec3::Zero(); ///< on the cover, mm
+        double radius = 0;          ///< mm
+        bool erases = false;
+    };
+    using Take = std::function<void(const Stamp&)>;
+
+    AreaBrushTool(CoverToolContext& context, double radius, Take take);
+
+    void press(const CoverPointer& pointer) override;
+    bool move(const CoverPointer& pointer) override;
+    void release(const CoverPointer& pointer) override;
+    bool keyPress(const QKeyEvent& event) override;
+    bool wants(int key) const override;
+    bool escape() override;
+    void leave() override;
+
+    QString prompt() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    std::vector<SceneLine> guides() const override;
+
+private:
+    void hover(const CoverPointer& pointer);
+    void stamp(const CoverPointer& pointer);
+
+    double m_radius;
+    Take m_take;
+    bool m_painting = false;
+    std::optional<CoverFoot> m_under; ///< the pointer
+    std::optional<Vec3> m_stampedAt;  ///< last, in this stroke
+};
+
+} // namespace bolster
