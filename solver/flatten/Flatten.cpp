@@ -95,7 +95,11 @@ public:
         add(0, 0, 1); // it may lie anywhere
         Sparse matrix(m_count, m_count);
         matrix.setFromTriplets(entries.begin(), entries.end());
-        m_solver = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(matrix);
+        if (!m_solver) { // what is where stays from pass to pass
+            m_solver = std::make_unique<Eigen::SimplicialLDLT<Sparse>>();
+            m_solver->analyzePattern(matrix);
+        }
+        m_solver->factorize(matrix);
     }
 
     double length(std::size_t edge) const

@@ -92,24 +92,135 @@ struct HeldEdges {
     friend bool get(const HeldEdges& held, FormEdge e) { return (*held.cut)[e] || held.mesh->is_border(e); }
 };
 
+using Edge = std::pair<int, int>; // the lesser point first
+
+Edge edgeOf(int a, int b)
+{
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// The form while it is cut.
+struct Soup {
+    std::vector<Vec3> points;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> part;
+    std::set<Edge> cuts;
+
+    /// Triangles that a ribbon may meet. It meets no edge between one of them and another one.
+    std::vector<int> near(const CgalMesh& strip) const
+    {
+        std::vector<Box3> boxes;
+        Box3 all;
+        for (const Face f : strip.faces()) {
+            boxes.emplace_back();
+            for (const Vertex v : strip.vertices_around_face(strip.halfedge(f)))
+                boxes.back().extend(fromCgal(strip.point(v)));
+            all.extend(boxes.back());
+        }
+        std::vector<int> found;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            Box3 box;
+            for (const int corner : triangles[t])
+                box.extend(points[static_cast<std::size_t>(corner)]);
+            if (all.intersects(box) && std::ranges::any_of(boxes, [&](const Box3& b) { return b.intersects(box); }))
+                found.push_back(static_cast<int>(t));
+        }
+        return found;
+    }
+};
+
+/// Triangles of the form as CGAL has them.
+struct Piece {
+    CgalMesh mesh;
+    CgalMesh::Property_map<Face, int> part;
+    CgalMesh::Property_map<FormEdge, bool> cut;
+    std::vector<int> triangles; ///< of the soup
+    std::vector<int> point;     ///< of each vertex that it had from the beginning
+
+    /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point.
+    bool build(const Soup& soup, std::vector<int> chosen)
+    {
+        *this = {};
+        if (chosen.empty())
+            for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+                chosen.push_back(static_cast<int>(t));
+        triangles = std::move(chosen);
+        part = mesh.add_property_map<Face, int>("f:part", 0).first;
+        std::vector<int> vertexOf(soup.points.size(), -1);
+        for (const int t : triangles) {
+            std::array<Vertex, 3> corners;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int p = soup.triangles[static_cast<std::size_t>(t)][k];
+                int& vertex = vertexOf[static_cast<std::size_t>(p)];
+                if (vertex < 0) {
+                    vertex = static_cast<int>(point.size());
+                    point.push_back(p);
+                    mesh.add_vertex(toCgal(soup.points[static_cast<std::size_t>(p)]));
+                }
+                corners[k] = Vertex(static_cast<CgalMesh::size_type>(vertex));
+            }
+            const Face face = mesh.add_face(corners[0], corners[1], corners[2]);
+            if (face == CgalMesh::null_face())
+                return false;
+            part[face] = soup.part[static_cast<std::size_t>(t)];
+        }
+        cut = mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
+        for (const FormEdge e : mesh.edges())
+            cut[e] = !soup.cuts.empty() &&
+                     soup.cuts.contains(edgeOf(pointOf(mesh.vertex(e, 0)), pointOf(mesh.vertex(e, 1))));
+        return true;
+    }
+
+    /// In place of the triangles that it was made of.
+    void putBack(Soup& soup)
+    {
+        std::set<int> gone(triangles.begin(), triangles.end());
+        for (const int t : triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto& corners = soup.triangles[static_cast<std::size_t>(t)];
+                soup.cuts.erase(edgeOf(corners[k], corners[(k + 1) % 3]));
+            }
+        std::size_t kept = 0;
+        for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+            if (!gone.contains(static_cast<int>(t))) {
+                soup.triangles[kept] = soup.triangles[t];
+                soup.part[kept++] = soup.part[t];
+            }
+        soup.triangles.resize(kept);
+        soup.part.resize(kept);
+        std::vector<int> now = point; // and of new vertices
+        for (const Vertex v : mesh.vertices())
+            if (v.idx() >= now.size()) {
+                now.resize(v.idx() + 1, -1);
+                now[v.idx()] = static_cast<int>(soup.points.size());
+                soup.points.push_back(fromCgal(mesh.point(v)));
+            }
+        for (const Face f : mesh.faces()) {
+            std::array<int, 3> corners{};
+            std::size_t k = 0;
+            for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+                corners[k++] = now[v.idx()];
+            soup.triangles.push_back(corners);
+            soup.part.push_back(part[f]);
+        }
+        for (const FormEdge e : mesh.edges())
+            if (cut[e])
+                soup.cuts.insert(edgeOf(now[mesh.vertex(e, 0).idx()], now[mesh.vertex(e, 1).idx()]));
+    }
+
+private:
+    int pointOf(Vertex v) const { return point[v.idx()]; }
+};
+
 class LineCutter {
 public:
     LineCutter(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                const std::vector<int>& part)
+        : m_soup{points, triangles, part, {}}
+        , m_whole(m_form.build(m_soup, {}))
     {
-        for (const Vec3& point : points)
-            m_mesh.add_vertex(toCgal(point));
-        m_part = m_mesh.add_property_map<Face, int>("f:part", 0).first;
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const auto& [a, b, c] = triangles[t];
-            const Face face = m_mesh.add_face(Vertex(a), Vertex(b), Vertex(c));
-            if (face == CgalMesh::null_face()) {
-                m_whole = false; // an edge with three triangles, or two sheets that meet in a point
-                return;
-            }
-            m_part[face] = part[t];
-        }
-        m_cut = m_mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
+        if (m_whole)
+            m_tree.rebuild(m_form.mesh.faces().begin(), m_form.mesh.faces().end(), m_form.mesh);
     }
 
     bool whole() const { return m_whole; }
@@ -131,39 +242,46 @@ public:
             return;
         }
         CgalMesh strip = ribbonAlong(line, all);
+        Piece near;
+        // Where sheets touch in a point when they are taken alone, all of it is.
+        if (!near.build(m_soup, m_soup.near(strip)))
+            near.build(m_soup, {});
         PartsKept visitor;
-        visitor.part = m_part;
-        visitor.form = &m_mesh;
-        Pmp::corefine(m_mesh, strip, CGAL::parameters::edge_is_constrained_map(m_cut).visitor(visitor));
+        visitor.part = near.part;
+        visitor.form = &near.mesh;
+        Pmp::corefine(near.mesh, strip, CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor));
+        near.putBack(m_soup);
     }
 
     LinedTriangles result(const std::vector<FormLine>& lines)
     {
+        m_tree.clear(); // of the form as it was
+        m_form.build(m_soup, {});
         pruneSpurs();
         for (int round = 0; round < roundsOfTidying && (joinNearPoints() || flattenCaps()); ++round)
-            m_mesh.collect_garbage();
+            m_form.mesh.collect_garbage();
         LinedTriangles result;
         result.notes = m_notes;
         std::map<Vertex, int> number;
-        for (const Vertex v : m_mesh.vertices()) {
+        for (const Vertex v : m_form.mesh.vertices()) {
             number[v] = static_cast<int>(result.points.size());
-            result.points.push_back(fromCgal(m_mesh.point(v)));
+            result.points.push_back(fromCgal(m_form.mesh.point(v)));
         }
-        for (const Face f : m_mesh.faces()) {
+        for (const Face f : m_form.mesh.faces()) {
             std::array<int, 3> corners{};
             int k = 0;
-            for (const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+            for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(f)))
                 corners[static_cast<std::size_t>(k++)] = number[v];
             result.triangles.push_back(corners);
-            result.part.push_back(m_part[f]);
+            result.part.push_back(m_form.part[f]);
         }
-        for (const FormEdge e : m_mesh.edges())
-            if (m_cut[e]) {
-                const int a = number[m_mesh.vertex(e, 0)], b = number[m_mesh.vertex(e, 1)];
+        for (const FormEdge e : m_form.mesh.edges())
+            if (m_form.cut[e]) {
+                const int a = number[m_form.mesh.vertex(e, 0)], b = number[m_form.mesh.vertex(e, 1)];
                 result.cuts.insert({std::min(a, b), std::max(a, b)});
             }
         for (const Vertex v : looseEnds())
-            result.notes.push_back(looseEnd(fromCgal(m_mesh.point(v)), lines));
+            result.notes.push_back(looseEnd(fromCgal(m_form.mesh.point(v)), lines));
         return result;
     }
 
@@ -171,21 +289,20 @@ private:
     /// Of most of its places, mm.
     double distanceOf(const FormLine& line) const
     {
-        const FaceTree tree(m_mesh.faces().begin(), m_mesh.faces().end(), m_mesh);
         std::vector<double> distances;
         for (const Vec3& place : line.points)
-            distances.push_back(std::sqrt(tree.squared_distance(toCgal(place))));
+            distances.push_back(std::sqrt(m_tree.squared_distance(toCgal(place))));
         std::ranges::sort(distances);
         return distances[distances.size() / 2];
     }
 
-    LinePlace placeOf(const FaceTree& tree, const Vec3& at) const
+    LinePlace placeOf(const Vec3& at) const
     {
-        const auto [point, face] = tree.closest_point_and_primitive(toCgal(at));
+        const auto [point, face] = m_tree.closest_point_and_primitive(toCgal(at));
         std::array<Vec3, 3> corners;
         std::size_t k = 0;
-        for (const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(face)))
-            corners[k++] = fromCgal(m_mesh.point(v));
+        for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
+            corners[k++] = fromCgal(m_form.mesh.point(v));
         const Vec3 near = fromCgal(point);
         return {near, (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized(), (at - near).norm()};
     }
@@ -197,9 +314,10 @@ private:
             return;
         const auto missing = [&](const Vec3& end) {
             double nearest = reach;
-            for (const auto half : m_mesh.halfedges())
-                if (m_mesh.is_border(half))
-                    nearest = std::min(nearest, (fromCgal(m_mesh.point(m_mesh.target(half))) - end).norm());
+            for (const auto half : m_form.mesh.halfedges())
+                if (m_form.mesh.is_border(half))
+                    nearest =
+                        std::min(nearest, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - end).norm());
             for (const FormLine& other : all)
                 if (&other != &line)
                     for (const Vec3& place : evenly(other))
@@ -215,10 +333,9 @@ private:
     {
         std::vector<Vec3> places = evenly(line);
         prolong(places, line, all);
-        const FaceTree tree(m_mesh.faces().begin(), m_mesh.faces().end(), m_mesh);
         std::vector<LinePlace> on;
         for (const Vec3& place : places)
-            on.push_back(placeOf(tree, place));
+            on.push_back(placeOf(place));
         CgalMesh strip;
         std::vector<std::pair<Vertex, Vertex>> sections;
         for (std::size_t k = 0; k < on.size(); ++k) {
@@ -247,8 +364,8 @@ private:
     std::vector<FormEdge> cutsAt(Vertex v) const
     {
         std::vector<FormEdge> cuts;
-        for (const auto half : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-            if (const FormEdge e = m_mesh.edge(half); m_cut[e] && !m_mesh.is_border(e))
+        for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v)))
+            if (const FormEdge e = m_form.mesh.edge(half); m_form.cut[e] && !m_form.mesh.is_border(e))
                 cuts.push_back(e);
         return cuts;
     }
@@ -256,35 +373,36 @@ private:
     std::vector<Vertex> looseEnds() const
     {
         std::vector<Vertex> ends;
-        for (const Vertex v : m_mesh.vertices())
-            if (!m_mesh.is_isolated(v) && !m_mesh.is_border(v) && cutsAt(v).size() == 1)
+        for (const Vertex v : m_form.mesh.vertices())
+            if (!m_form.mesh.is_isolated(v) && !m_form.mesh.is_border(v) && cutsAt(v).size() == 1)
                 ends.push_back(v);
         return ends;
     }
 
     double lengthOf(FormEdge e) const
     {
-        return std::sqrt(
-            CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))));
+        return std::sqrt(CGAL::squared_distance(m_form.mesh.point(m_form.mesh.vertex(e, 0)),
+                                                m_form.mesh.point(m_form.mesh.vertex(e, 1))));
     }
-    bool isHeld(FormEdge e) const { return get(HeldEdges{&m_mesh, &m_cut}, e); }
+    bool isHeld(FormEdge e) const { return get(HeldEdges{&m_form.mesh, &m_form.cut}, e); }
     bool isOnLine(Vertex v) const
     {
-        const auto around = m_mesh.halfedges_around_target(m_mesh.halfedge(v));
-        return std::ranges::any_of(around, [&](auto half) { return m_cut[m_mesh.edge(half)]; });
+        const auto around = m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v));
+        return std::ranges::any_of(around, [&](auto half) { return m_form.cut[m_form.mesh.edge(half)]; });
     }
 
     /// Of those edges of two triangles beside an edge that become one, one at most is held.
     bool canCollapse(FormEdge e) const
     {
-        if (!CGAL::Euler::does_satisfy_link_condition(e, m_mesh))
+        if (!CGAL::Euler::does_satisfy_link_condition(e, m_form.mesh))
             return false;
-        for (const auto half : {m_mesh.halfedge(e, 0), m_mesh.halfedge(e, 1)})
-            if (!m_mesh.is_border(half) && isHeld(m_mesh.edge(m_mesh.next(half))) &&
-                isHeld(m_mesh.edge(m_mesh.prev(half))))
+        for (const auto half : {m_form.mesh.halfedge(e, 0), m_form.mesh.halfedge(e, 1)})
+            if (!m_form.mesh.is_border(half) && isHeld(m_form.mesh.edge(m_form.mesh.next(half))) &&
+                isHeld(m_form.mesh.edge(m_form.mesh.prev(half))))
                 return false;
-        const Vertex a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
-        const bool bothHeld = (isOnLine(a) || m_mesh.is_border(a)) && (isOnLine(b) || m_mesh.is_border(b));
+        const Vertex a = m_form.mesh.vertex(e, 0), b = m_form.mesh.vertex(e, 1);
+        const bool bothHeld =
+            (isOnLine(a) || m_form.mesh.is_border(a)) && (isOnLine(b) || m_form.mesh.is_border(b));
         return isHeld(e) || !bothHeld;
     }
 
@@ -292,19 +410,20 @@ private:
     bool joinNearPoints()
     {
         std::vector<FormEdge> edges;
-        for (const FormEdge e : m_mesh.edges())
+        for (const FormEdge e : m_form.mesh.edges())
             if (lengthOf(e) < nearPoints)
                 edges.push_back(e);
         bool any = false;
         for (const FormEdge e : edges) {
-            if (m_mesh.is_removed(e) || lengthOf(e) >= nearPoints || !canCollapse(e))
+            if (m_form.mesh.is_removed(e) || lengthOf(e) >= nearPoints || !canCollapse(e))
                 continue;
-            const Vertex a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+            const Vertex a = m_form.mesh.vertex(e, 0), b = m_form.mesh.vertex(e, 1);
             // Borders stay where they are, and lines where nothing else is.
-            const auto rank = [&](Vertex v) { return m_mesh.is_border(v) ? 2 : isOnLine(v) ? 1 : 0; };
-            const Kernel::Point_3 at = m_mesh.point(rank(a) > rank(b) ? a : b);
-            m_cut[e] = false;
-            m_mesh.point(CGAL::Euler::collapse_edge(e, m_mesh, HeldEdges{&m_mesh, &m_cut})) = at;
+            const auto rank = [&](Vertex v) { return m_form.mesh.is_border(v) ? 2 : isOnLine(v) ? 1 : 0; };
+            const Kernel::Point_3 at = m_form.mesh.point(rank(a) > rank(b) ? a : b);
+            m_form.cut[e] = false;
+            m_form.mesh.point(CGAL::Euler::collapse_edge(e, m_form.mesh, HeldEdges{&m_form.mesh, &m_form.cut})) =
+                at;
             any = true;
         }
         return any;
@@ -315,26 +434,28 @@ private:
     bool flattenCaps()
     {
         bool any = false;
-        for (const Face f : m_mesh.faces()) {
-            auto longest = m_mesh.halfedge(f);
-            for (auto half : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
-                if (lengthOf(m_mesh.edge(half)) > lengthOf(m_mesh.edge(longest)))
+        for (const Face f : m_form.mesh.faces()) {
+            auto longest = m_form.mesh.halfedge(f);
+            for (auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(f)))
+                if (lengthOf(m_form.mesh.edge(half)) > lengthOf(m_form.mesh.edge(longest)))
                     longest = half;
-            const FormEdge e = m_mesh.edge(longest);
-            const Vec3 a = fromCgal(m_mesh.point(m_mesh.source(longest)));
-            const Vec3 b = fromCgal(m_mesh.point(m_mesh.target(longest)));
-            const Vec3 c = fromCgal(m_mesh.point(m_mesh.target(m_mesh.next(longest))));
-            if ((b - a).cross(c - a).norm() > lowest * (b - a).squaredNorm() || m_mesh.is_border(e))
+            const FormEdge e = m_form.mesh.edge(longest);
+            const Vec3 a = fromCgal(m_form.mesh.point(m_form.mesh.source(longest)));
+            const Vec3 b = fromCgal(m_form.mesh.point(m_form.mesh.target(longest)));
+            const Vec3 c = fromCgal(m_form.mesh.point(m_form.mesh.target(m_form.mesh.next(longest))));
+            if ((b - a).cross(c - a).norm() > lowest * (b - a).squaredNorm() || m_form.mesh.is_border(e))
                 continue;
-            const auto other = m_mesh.opposite(longest);
-            const Vertex c1 = m_mesh.target(m_mesh.next(longest)), c2 = m_mesh.target(m_mesh.next(other));
-            if (m_mesh.halfedge(c1, c2) != CgalMesh::null_halfedge())
+            const auto other = m_form.mesh.opposite(longest);
+            const Vertex c1 = m_form.mesh.target(m_form.mesh.next(longest)),
+                         c2 = m_form.mesh.target(m_form.mesh.next(other));
+            if (m_form.mesh.halfedge(c1, c2) != CgalMesh::null_halfedge())
                 continue;
-            if (m_cut[e]) {
-                m_cut[e] = false;
-                m_cut[m_mesh.edge(m_mesh.next(longest))] = m_cut[m_mesh.edge(m_mesh.prev(longest))] = true;
+            if (m_form.cut[e]) {
+                m_form.cut[e] = false;
+                m_form.cut[m_form.mesh.edge(m_form.mesh.next(longest))] =
+                    m_form.cut[m_form.mesh.edge(m_form.mesh.prev(longest))] = true;
             }
-            CGAL::Euler::flip_edge(longest, m_mesh);
+            CGAL::Euler::flip_edge(longest, m_form.mesh);
             any = true;
         }
         return any;
@@ -343,25 +464,25 @@ private:
     /// What hangs over where a line has met another one.
     void pruneSpurs()
     {
-        for (const FormEdge e : m_mesh.edges())
-            if (m_mesh.is_border(e))
-                m_cut[e] = false;
+        for (const FormEdge e : m_form.mesh.edges())
+            if (m_form.mesh.is_border(e))
+                m_form.cut[e] = false;
         for (Vertex end : looseEnds()) {
             std::vector<FormEdge> spur;
             double length = 0;
             for (Vertex at = end; length <= longestSpur;) {
                 std::vector<FormEdge> cuts = cutsAt(at);
                 std::erase_if(cuts, [&](FormEdge e) { return std::ranges::find(spur, e) != spur.end(); });
-                if (cuts.size() != 1 || (at != end && m_mesh.is_border(at)))
+                if (cuts.size() != 1 || (at != end && m_form.mesh.is_border(at)))
                     break;
                 spur.push_back(cuts.front());
-                length += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(cuts.front(), 0)),
-                                                           m_mesh.point(m_mesh.vertex(cuts.front(), 1))));
-                at = m_mesh.vertex(cuts.front(), m_mesh.vertex(cuts.front(), 0) == at ? 1 : 0);
+                length += std::sqrt(CGAL::squared_distance(m_form.mesh.point(m_form.mesh.vertex(cuts.front(), 0)),
+                                                           m_form.mesh.point(m_form.mesh.vertex(cuts.front(), 1))));
+                at = m_form.mesh.vertex(cuts.front(), m_form.mesh.vertex(cuts.front(), 0) == at ? 1 : 0);
             }
             if (length <= longestSpur)
                 for (const FormEdge e : spur)
-                    m_cut[e] = false;
+                    m_form.cut[e] = false;
         }
     }
 
@@ -376,9 +497,9 @@ private:
                     name = line.name;
                 }
         double border = std::numeric_limits<double>::infinity();
-        for (const auto half : m_mesh.halfedges())
-            if (m_mesh.is_border(half))
-                border = std::min(border, (fromCgal(m_mesh.point(m_mesh.target(half))) - at).norm());
+        for (const auto half : m_form.mesh.halfedges())
+            if (m_form.mesh.is_border(half))
+                border = std::min(border, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - at).norm());
         for (const FormLine& line : lines)
             if (line.name != name)
                 for (const Vec3& place : evenly(line))
@@ -392,11 +513,11 @@ private:
                 {name, where, numberText(border, 2)}};
     }
 
-    CgalMesh m_mesh;
-    CgalMesh::Property_map<Face, int> m_part;
-    CgalMesh::Property_map<FormEdge, bool> m_cut;
+    Soup m_soup;
+    Piece m_form; // as it was, at last cut and tidied
+    bool m_whole;
+    FaceTree m_tree; // of it as it was
     std::vector<Message> m_notes;
-    bool m_whole = true;
 };
 
 } // namespace
