@@ -5,7 +5,7 @@
 
 namespace bolster {
 
-FormMade patternOfForm(const FormWanted& wanted, const std::stop_token& stop)
+FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::stop_token& stop)
 {
     FormMade made;
     made.number = wanted.number;
@@ -19,7 +19,7 @@ FormMade patternOfForm(const FormWanted& wanted, const std::stop_token& stop)
         }
         if (!mesh)
             return made;
-        made.form = cutForm(*mesh, wanted.cuts, stop);
+        made.form = cutForm(*mesh, wanted.cuts, stop, wanted.draft ? &draft : nullptr);
         made.problem = made.form.problem;
         if (!made.problem.empty() || stop.stop_requested())
             return made;

@@ -28,7 +28,7 @@ struct FormMade {
     FormPattern pattern;
 };
 
-/// `draft` of the answer is that of the wish.
-FormMade patternOfForm(const FormWanted& wanted, const std::stop_token& stop);
+/// `draft`: always the same one; that of the answer is that of the wish.
+FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::stop_token& stop);
 
 } // namespace bolster

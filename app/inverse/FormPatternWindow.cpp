@@ -68,7 +68,8 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     , m_session(session)
     , m_document(session.document())
     , m_solver(solver)
-    , m_job([](const FormWanted& wanted, const std::stop_token& stop) { return patternOfForm(wanted, stop); },
+    , m_job([draft = newFormDraft()](const FormWanted& wanted,
+                                     const std::stop_token& stop) { return patternOfForm(wanted, *draft, stop); },
             [this](FormMade made) { take(std::move(made)); })
 {
     setWindowTitle(tr("Pattern of a form"));

@@ -74,10 +74,11 @@ Welded weld(const TriangleMesh& mesh)
 
 class Cutter {
 public:
-    Cutter(Welded welded, const FormCuts& cuts, const std::stop_token& stop)
+    Cutter(Welded welded, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
         : m_welded(std::move(welded))
         , m_cuts(cuts)
         , m_stop(stop)
+        , m_draft(draft)
     {}
 
     Form cut()
@@ -152,7 +153,8 @@ private:
     {
         if (m_cuts.lines.empty() || m_stop.stop_requested())
             return;
-        LinedTriangles lined = cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop);
+        LinedTriangles lined =
+            cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop, m_draft);
         if (!lined.problem.empty()) {
             m_form.problem = lined.problem;
             return;
@@ -409,6 +411,7 @@ private:
     Welded m_welded;
     FormCuts m_cuts;
     std::stop_token m_stop;
+    FormDraft* m_draft;
     std::vector<HalfEdge> m_halves;
     std::set<Edge> m_cut;
     std::vector<int> m_pieceOf;                         // of each triangle
@@ -439,7 +442,7 @@ std::vector<FormLine> linesOf(const Design& design)
 }
 
 /// Not too many triangles.
-static Form cutFewer(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
+static Form cutFewer(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
 {
     Form form;
     Welded welded = weld(mesh);
@@ -447,10 +450,15 @@ static Form cutFewer(const TriangleMesh& mesh, const FormCuts& cuts, const std::
         form.problem = {QT_TRANSLATE_NOOP("Message", "it has no triangle with an area"), {}};
         return form;
     }
-    return Cutter(std::move(welded), cuts, stop).cut();
+    return Cutter(std::move(welded), cuts, stop, draft).cut();
 }
 
-Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
+std::shared_ptr<FormDraft> newFormDraft()
+{
+    return std::make_shared<FormDraft>();
+}
+
+Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
 {
     Form form;
     if (mesh.triangles.size() > mostFormTriangles) {
@@ -462,7 +470,7 @@ Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_tok
                             {std::to_string(mesh.triangles.size())}};
             return form;
         }
-        form = cutFewer(fewer.mesh, cuts, stop);
+        form = cutFewer(fewer.mesh, cuts, stop, draft);
         form.notes.insert(
             form.notes.begin(),
             {QT_TRANSLATE_NOOP("Message", "The form has %1 triangles; %2 stand for it, which are up to "
@@ -471,7 +479,7 @@ Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_tok
               numberText(fewer.off, 2)}});
         return form;
     }
-    return cutFewer(mesh, cuts, stop);
+    return cutFewer(mesh, cuts, stop, draft);
 }
 
 } // namespace bolster

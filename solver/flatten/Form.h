@@ -7,6 +7,7 @@
 #include "TriangleMesh.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -19,6 +20,8 @@ struct FormLine {
     std::string name;
     std::vector<Vec3> points; ///< mm, on the form or near it
     bool closed = false;
+
+    friend bool operator==(const FormLine&, const FormLine&) = default;
 };
 
 /// Where a form is cut.
@@ -75,9 +78,15 @@ inline constexpr std::size_t mostFormTriangles = 300'000;
 /// The fixation curves of a design, as lines.
 std::vector<FormLine> linesOf(const Design& design);
 
+struct FormDraft; // FormLines.h
+/// Made with the first one, for cutForm.
+std::shared_ptr<FormDraft> newFormDraft();
+
 /// Cuts a mesh (mm). Points in the same place are one; triangles without area go; triangles are turned so that
 /// neighbours agree, as most of each sheet have it. A ring is cut open along the shortest way between its borders.
 /// What has no border, or handles as a cup has, is a problem. When stopped there are no pieces and no problem.
-Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop = {});
+/// With a draft, while a line moves: nearly right, soon. Always the same one for the same form.
+Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop = {},
+             FormDraft* draft = nullptr);
 
 } // namespace bolster

@@ -25,10 +25,10 @@ using FormEdge = CgalMesh::Edge_index;
 using Face = CgalMesh::Face_index;
 using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<CgalMesh>>>;
 
-constexpr double spacing = 4;                 // mm between places on a line
-constexpr double ribbon = 1.5;                // mm that a ribbon stands out on either side
-constexpr double shortest = 1, longest = 1e5; // mm, of a line
-constexpr double farthest = 25;               // mm: what lies farther from the form is no line on it
+constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
+constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
+constexpr double shortest = 1, longest = 1e5;    // mm, of a line
+constexpr double farthest = 25;                  // mm: what lies farther from the form is no line on it
 constexpr double reach = 10;       // mm: a line that ends so near to a border or another line goes on to it
 constexpr double overshoot = 1;    // mm, so that they surely cross
 constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
@@ -70,7 +70,7 @@ struct LinePlace {
     double away = 0; ///< mm from the form
 };
 
-std::vector<Vec3> evenly(const FormLine& line)
+std::vector<Vec3> evenly(const FormLine& line, double spacing)
 {
     std::vector<Vec3> places{line.points.front()};
     std::vector<Vec3> corners = line.points;
@@ -99,35 +99,27 @@ Edge edgeOf(int a, int b)
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// The form while it is cut.
-struct Soup {
-    std::vector<Vec3> points;
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<int> part;
-    std::set<Edge> cuts;
-
-    /// Triangles that a ribbon may meet. It meets no edge between one of them and another one.
-    std::vector<int> near(const CgalMesh& strip) const
-    {
-        std::vector<Box3> boxes;
-        Box3 all;
-        for (const Face f : strip.faces()) {
-            boxes.emplace_back();
-            for (const Vertex v : strip.vertices_around_face(strip.halfedge(f)))
-                boxes.back().extend(fromCgal(strip.point(v)));
-            all.extend(boxes.back());
-        }
-        std::vector<int> found;
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            Box3 box;
-            for (const int corner : triangles[t])
-                box.extend(points[static_cast<std::size_t>(corner)]);
-            if (all.intersects(box) && std::ranges::any_of(boxes, [&](const Box3& b) { return b.intersects(box); }))
-                found.push_back(static_cast<int>(t));
-        }
-        return found;
+/// Triangles that a ribbon may meet. It meets no edge between one of them and another one.
+std::vector<int> trianglesNear(const TriangleSoup& soup, const CgalMesh& strip)
+{
+    std::vector<Box3> boxes;
+    Box3 all;
+    for (const Face f : strip.faces()) {
+        boxes.emplace_back();
+        for (const Vertex v : strip.vertices_around_face(strip.halfedge(f)))
+            boxes.back().extend(fromCgal(strip.point(v)));
+        all.extend(boxes.back());
     }
-};
+    std::vector<int> found;
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        Box3 box;
+        for (const int corner : soup.triangles[t])
+            box.extend(soup.points[static_cast<std::size_t>(corner)]);
+        if (all.intersects(box) && std::ranges::any_of(boxes, [&](const Box3& b) { return b.intersects(box); }))
+            found.push_back(static_cast<int>(t));
+    }
+    return found;
+}
 
 /// Triangles of the form as CGAL has them.
 struct Piece {
@@ -138,7 +130,7 @@ struct Piece {
     std::vector<int> point;     ///< of each vertex that it had from the beginning
 
     /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point.
-    bool build(const Soup& soup, std::vector<int> chosen)
+    bool build(const TriangleSoup& soup, std::vector<int> chosen)
     {
         *this = {};
         if (chosen.empty())
@@ -172,7 +164,7 @@ struct Piece {
     }
 
     /// In place of the triangles that it was made of.
-    void putBack(Soup& soup)
+    void putBack(TriangleSoup& soup)
     {
         std::set<int> gone(triangles.begin(), triangles.end());
         for (const int t : triangles)
@@ -215,8 +207,9 @@ private:
 class LineCutter {
 public:
     LineCutter(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-               const std::vector<int>& part)
+               const std::vector<int>& part, double apart)
         : m_soup{points, triangles, part, {}}
+        , m_spacing(apart)
         , m_whole(m_form.build(m_soup, {}))
     {
         if (m_whole)
@@ -224,6 +217,14 @@ public:
     }
 
     bool whole() const { return m_whole; }
+    const TriangleSoup& soup() const { return m_soup; }
+    const std::vector<Message>& notes() const { return m_notes; }
+    /// As it was when some lines had been cut.
+    void goOnFrom(const TriangleSoup& soup, const std::vector<Message>& notes)
+    {
+        m_soup = soup;
+        m_notes = notes;
+    }
 
     void cut(const FormLine& line, const std::vector<FormLine>& all)
     {
@@ -244,7 +245,7 @@ public:
         CgalMesh strip = ribbonAlong(line, all);
         Piece near;
         // Where sheets touch in a point when they are taken alone, all of it is.
-        if (!near.build(m_soup, m_soup.near(strip)))
+        if (!near.build(m_soup, trianglesNear(m_soup, strip)))
             near.build(m_soup, {});
         PartsKept visitor;
         visitor.part = near.part;
@@ -319,8 +320,8 @@ private:
                     nearest =
                         std::min(nearest, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - end).norm());
             for (const FormLine& other : all)
-                if (&other != &line)
-                    for (const Vec3& place : evenly(other))
+                if (!(other == line))
+                    for (const Vec3& place : evenly(other, spacing))
                         nearest = std::min(nearest, (place - end).norm());
             return nearest < reach ? nearest + overshoot : overshoot;
         };
@@ -331,7 +332,7 @@ private:
 
     CgalMesh ribbonAlong(const FormLine& line, const std::vector<FormLine>& all) const
     {
-        std::vector<Vec3> places = evenly(line);
+        std::vector<Vec3> places = evenly(line, m_spacing);
         prolong(places, line, all);
         std::vector<LinePlace> on;
         for (const Vec3& place : places)
@@ -491,7 +492,7 @@ private:
         double nearest = std::numeric_limits<double>::infinity();
         std::string name;
         for (const FormLine& line : lines)
-            for (const Vec3& place : evenly(line))
+            for (const Vec3& place : evenly(line, spacing))
                 if (const double distance = (place - at).norm(); distance < nearest) {
                     nearest = distance;
                     name = line.name;
@@ -502,7 +503,7 @@ private:
                 border = std::min(border, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - at).norm());
         for (const FormLine& line : lines)
             if (line.name != name)
-                for (const Vec3& place : evenly(line))
+                for (const Vec3& place : evenly(line, spacing))
                     border = std::min(border, (place - at).norm());
         std::string where("(");
         where.append(numberText(at.x(), 4)).append(", ").append(numberText(at.y(), 4)).append(", ");
@@ -513,28 +514,66 @@ private:
                 {name, where, numberText(border, 2)}};
     }
 
-    Soup m_soup;
-    Piece m_form; // as it was, at last cut and tidied
+    TriangleSoup m_soup;
+    double m_spacing; // mm between places on a line
+    Piece m_form;     // as it was, at last cut and tidied
     bool m_whole;
     FaceTree m_tree; // of it as it was
     std::vector<Message> m_notes;
 };
 
+bool isAmong(const FormLine& line, const std::vector<FormLine>& lines)
+{
+    return std::ranges::find(lines, line) != lines.end();
+}
+
+/// The draft's cutter, with those lines cut that need not be cut again. The others.
+std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std::vector<FormLine>& lines)
+{
+    const TriangleSoup& uncut = cutter.soup();
+    const bool sameForm = draft.uncut.points == uncut.points && draft.uncut.triangles == uncut.triangles &&
+                          draft.uncut.part == uncut.part;
+    const bool useful =
+        sameForm && !draft.cutLines.empty() &&
+        std::ranges::all_of(draft.cutLines, [&](const FormLine& line) { return isAmong(line, lines); });
+    if (useful) {
+        cutter.goOnFrom(draft.cut, draft.notes);
+    } else {
+        draft.uncut = uncut;
+        draft.cutLines.clear(); // as long as cutting may throw
+        std::vector<FormLine> cut;
+        for (const FormLine& line : lines)
+            if (line.points.size() > 1 && sameForm && isAmong(line, draft.lastLines)) {
+                cutter.cut(line, lines);
+                cut.push_back(line);
+            }
+        draft.cutLines = std::move(cut);
+        draft.cut = cutter.soup();
+        draft.notes = cutter.notes();
+    }
+    draft.lastLines = lines;
+    std::vector<FormLine> others;
+    for (const FormLine& line : lines)
+        if (!isAmong(line, draft.cutLines))
+            others.push_back(line);
+    return others;
+}
+
 } // namespace
 
 LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                         const std::vector<int>& part, const std::vector<FormLine>& lines,
-                        const std::stop_token& stop)
+                        const std::stop_token& stop, FormDraft* draft)
 {
     LinedTriangles failed;
     failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than two "
                                                    "faces meet, or sheets that touch in a point"),
                       {}};
-    LineCutter cutter(points, triangles, part);
+    LineCutter cutter(points, triangles, part, draft ? draftSpacing : spacing);
     if (!cutter.whole())
         return failed;
     try {
-        for (const FormLine& line : lines) {
+        for (const FormLine& line : draft ? continued(cutter, *draft, lines) : lines) {
             if (stop.stop_requested())
                 return {};
             if (line.points.size() > 1)

@@ -18,10 +18,27 @@ struct LinedTriangles {
     Message problem;                    ///< why no lines can be cut; the rest is empty then
 };
 
+/// Triangles while lines are cut into them.
+struct TriangleSoup {
+    std::vector<Vec3> points;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> part;
+    std::set<std::pair<int, int>> cuts;
+};
+
+/// What a draft before was of, so that lines that stay where they are need not be cut again.
+struct FormDraft {
+    TriangleSoup uncut, cut;         ///< the form, and with those lines in it
+    std::vector<FormLine> cutLines;  ///< of `cut`
+    std::vector<Message> notes;      ///< of them
+    std::vector<FormLine> lastLines; ///< of the draft before
+};
+
 /// `triangles` are oriented alike, and each place is one point. A line that ends a little before a border or
 /// another line goes on to there. Source: CGAL's corefinement of the form with a ribbon across it along each line.
+/// With a draft lines follow the form less closely, and those that did not move are as they were cut before.
 LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                         const std::vector<int>& part, const std::vector<FormLine>& lines,
-                        const std::stop_token& stop);
+                        const std::stop_token& stop, FormDraft* draft = nullptr);
 
 } // namespace bolster

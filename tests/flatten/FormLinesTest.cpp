@@ -209,5 +209,40 @@ TEST(FormOfManyTriangles, IsMadeSimplerWithANote)
     EXPECT_EQ(form.pieces.size(), 1U);
 }
 
+/// Lines that stay are cut once; the pieces are those of a form that is cut anew, but for how closely lines follow
+/// it.
+TEST(FormLines, DraftsGoOnFromWhatStays)
+{
+    const TriangleMesh mesh = halfPipe(200, 400);
+    const auto lineAt = [](const char* name, double z) {
+        FormLine line{name, {}, false};
+        for (int k = 0; k <= 30; ++k) {
+            const double angle = std::numbers::pi * (1 + k / 30.0);
+            line.points.emplace_back(200 * std::cos(angle), 200 * std::sin(angle), z);
+        }
+        return line;
+    };
+    const auto draft = newFormDraft();
+    for (const double z : {100.0, 110.0, 125.0, 125.0, 90.0}) {
+        FormCuts cuts;
+        cuts.lines = {lineAt("stays", 300), lineAt("moves", z)};
+        const Form quick = cutForm(mesh, cuts, {}, draft.get()), whole = cutForm(mesh, cuts);
+        ASSERT_TRUE(quick.problem.empty()) << quick.problem.english();
+        ASSERT_EQ(quick.pieces.size(), whole.pieces.size()) << z;
+        std::vector<double> heights, wholeHeights; // of the pieces' middles
+        for (const auto& [form, found] : {std::pair(&quick, &heights), std::pair(&whole, &wholeHeights)}) {
+            for (const FormPiece& piece : form->pieces) {
+                Box3 box;
+                for (const int p : piece.points)
+                    box.extend(form->points[static_cast<std::size_t>(p)]);
+                found->push_back(box.center().z());
+            }
+            std::ranges::sort(*found);
+        }
+        for (std::size_t k = 0; k < heights.size(); ++k)
+            EXPECT_NEAR(heights[k], wholeHeights[k], 0.3) << z;
+    }
+}
+
 } // namespace
 } // namespace bolster::test

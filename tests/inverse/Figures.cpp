@@ -379,6 +379,7 @@ void printDraggedLines()
         "|---|---|---|---|---|\n");
     for (const int vertices : {2500, 10000, 22500}) {
         const TriangleMesh mesh = bucket(vertices);
+        const auto draft = newFormDraft();
         std::vector<std::array<double, 4>> times; // the sum first
         std::size_t pieces = 0;
         double whole = 0;
@@ -387,7 +388,7 @@ void printDraggedLines()
             cuts.lines = {lineAcross("left", -0.5, true), lineAcross("right", 0.45, true),
                           lineAcross("back", 0.1, false), lineAcross("moves", -0.6 + 0.02 * step, false)};
             const Stopwatch watch;
-            const Form form = cutForm(mesh, cuts);
+            const Form form = cutForm(mesh, cuts, {}, step < 20 ? draft.get() : nullptr);
             const double cut = watch.seconds();
             const std::vector<FlatPiece> flat = flatten(form, step < 20 ? draftFlattening : FlattenOrder{});
             const double laid = watch.seconds();
