@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bolster {
 
@@ -43,11 +44,12 @@ ShownMapPtr mapOf(const std::vector<AreaSpot>& spots, const SurfaceMesh& surface
 {
     auto map = std::make_shared<ShownMap>();
     map->topology = surface.topology;
-    map->values.assign(surface.topology->pattern.size(), 0);
+    map->values.assign(surface.topology->pattern.size(), std::numeric_limits<float>::quiet_NaN());
     const FitArea area{{}, spots};
     for (const SurfaceTopology::PatchRange& range : surface.topology->patches)
         for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
-            map->values[v] = area.has(range.patch, surface.topology->pattern[v]) ? 100.0F : 0.0F;
+            if (!spots.empty() && area.has(range.patch, surface.topology->pattern[v]))
+                map->values[v] = 100;
     map->kind = MapScale::Kind::Sequential;
     map->limit = 100;
     map->title = title;
@@ -61,7 +63,7 @@ AreaRow::AreaRow(const Parts& parts, QWidget* parent)
     : QWidget(parent)
     , m_parts(parts)
     , m_only(new QCheckBox(tr("Onl&y in a painted area"), this))
-    , m_paint(new QPushButton(tr("Pa&int"), this))
+    , m_paint(new QPushButton(tr("Paint"), this))
     , m_clear(new QPushButton(tr("Clear"), this))
     , m_radius(new NumberBox({millimetreSuffix, 0, 5, 500, 5, true}, this))
 {

@@ -274,6 +274,9 @@ TEST_F(BothWaysTest, AnAreaIsPaintedOnTheCover)
     EXPECT_TRUE(area->spots().empty());
     const SurfaceMeshPtr cover = window.solver().surface();
     const auto top = std::ranges::max_element(cover->positions, {}, [](const Vec3& at) { return at.z(); });
+    window.coverView().navigation().setStandardView(CoverView::StandardView::Top);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window.coverView().navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-9); }, 10000));
     designer.clickCover(*top);
     ASSERT_FALSE(area->spots().empty());
     const SurfaceTopology& topology = *cover->topology;

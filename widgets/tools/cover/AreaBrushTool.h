@@ -26,6 +26,7 @@ public:
     void press(const CoverPointer& pointer) override;
     bool move(const CoverPointer& pointer) override;
     void release(const CoverPointer& pointer) override;
+    void doubleClick(const CoverPointer& pointer) override { press(pointer); }
     bool keyPress(const QKeyEvent& event) override;
     bool wants(int key) const override;
     bool escape() override;
