@@ -27,7 +27,6 @@ AreaBrushTool::AreaBrushTool(CoverToolContext& context, double radius, Take take
 void AreaBrushTool::press(const CoverPointer& pointer)
 {
     m_painting = true;
-    m_painting = true;
     m_stampedAt.reset();
     hover(pointer);
     stamp(pointer);
