@@ -111,10 +111,11 @@ int main(int argc, char* argv[])
     applyLooks(application, preferences);
 
     MainWindow window;
-    window.show();
     const QStringList designs = QCoreApplication::arguments().mid(1);
+    if (designs.isEmpty())
+        window.greet(); // before the window is there: views that nobody sees are not drawn
+    window.show();
     if (designs.isEmpty()) {
-        window.greet();
         window.recover();
     } else {
         window.open(designs.front());

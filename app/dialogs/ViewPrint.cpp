@@ -1,8 +1,10 @@
 #include "ViewPrint.h"
 
 #include "Ask.h"
+#include "CoverView.h"
 #include "MapLegend.h"
 #include "Theme.h"
+#include "ViewColors.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
@@ -57,6 +59,11 @@ double paintLegend(QPainter& painter, const QRectF& page, const ShownMapPtr& map
 }
 
 } // namespace
+
+ViewSheet sheetOf(CoverView& view, const QString& title)
+{
+    return {view.grabPicture(ViewColors::of(lightPalette())), title, QDateTime::currentDateTime(), view.map()};
+}
 
 bool paintSheet(QPagedPaintDevice& paper, const ViewSheet& sheet)
 {

@@ -12,6 +12,8 @@ class QWidget;
 
 namespace bolster {
 
+class CoverView;
+
 struct ViewSheet {
     QImage picture;
     QString title;
@@ -19,6 +21,8 @@ struct ViewSheet {
     ShownMapPtr map; ///< null when the fabrics are shown
 };
 
+/// What the view shows now, on a light ground whatever the window looks like.
+ViewSheet sheetOf(CoverView& view, const QString& title);
 /// One page, as large as its margins allow. Whether it could be painted.
 bool paintSheet(QPagedPaintDevice& paper, const ViewSheet& sheet);
 /// Asks for the printer; A4, upright or lying as the picture fits better.

@@ -10,6 +10,7 @@
 #include <QtMath>
 
 #include <numbers>
+#include <utility>
 
 namespace bolster {
 
@@ -57,6 +58,12 @@ FabricLink::~FabricLink()
     m_stop.request_stop();
 }
 
+void FabricLink::begin()
+{
+    if (!std::exchange(m_begun, true))
+        bakeNext();
+}
+
 void FabricLink::designChanged(const std::set<ElementId>& ids)
 {
     const Design& design = m_session.document().design();
@@ -102,8 +109,10 @@ std::optional<ElementId> FabricLink::nextStale() const
 
 void FabricLink::bakeNext()
 {
+    if (m_busy || !m_begun)
+        return;
     const std::optional<ElementId> id = nextStale();
-    if (m_busy || !id)
+    if (!id)
         return;
     m_busy = true;
     const Fabric fabric = *m_session.document().design().find<Fabric>(*id);

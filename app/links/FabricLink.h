@@ -20,6 +20,7 @@ namespace bolster {
 class DesignSession;
 
 /// One fabric after the other, those that are shown first. What was baked is shown until its successor is there.
+/// Nothing is baked before somebody can see it: baking loads libraries for as long as the rest of a start takes.
 class FabricLink : public QObject {
     Q_OBJECT
 
@@ -27,6 +28,9 @@ public:
     explicit FabricLink(DesignSession& session, QObject* parent = nullptr);
     ~FabricLink() override;
 
+    /// From now on they can be seen.
+    void begin();
+    bool begun() const { return m_begun; }
     /// By fabric; those that are baked by now.
     std::map<ElementId, FabricMapsPtr> maps() const;
     /// For pictures, on any thread: what is baked by now, the rest on demand.
@@ -73,6 +77,7 @@ private:
     std::shared_ptr<FabricCache> m_cache = std::make_shared<FabricCache>(); ///< a running job has it, too
     std::map<ElementId, Baked> m_baked;
     std::stop_source m_stop;
+    bool m_begun = false;
     bool m_busy = false;
 };
 

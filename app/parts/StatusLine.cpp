@@ -60,23 +60,6 @@ using namespace std::chrono_literals;
 constexpr auto shortFlash = 6s;
 constexpr auto longFlash = 20s;
 
-QColor colorOf(StatusLine::Mood mood)
-{
-    switch (mood) {
-    case StatusLine::Mood::Idle:
-        return {0x9a, 0xa0, 0xa8};
-    case StatusLine::Mood::Busy:
-        return {0xe0, 0x9a, 0x1a};
-    case StatusLine::Mood::Good:
-        return {0x2e, 0x9e, 0x5b};
-    case StatusLine::Mood::Worried:
-        return {0xe0, 0x6a, 0x1a};
-    case StatusLine::Mood::Failed:
-        return {0xd0, 0x3a, 0x2d};
-    }
-    return Qt::gray;
-}
-
 /// What a designer can do about a cover that does not come to rest.
 QString unrestText()
 {
@@ -94,6 +77,23 @@ bool hasWarnings(const Problems& problems)
 }
 
 } // namespace
+
+QColor StatusLine::colorOf(Mood mood)
+{
+    switch (mood) {
+    case Mood::Idle:
+        return {0x7f, 0x86, 0x8f};
+    case Mood::Busy:
+        return {0xb8, 0x74, 0x00};
+    case Mood::Good:
+        return {0x27, 0x8a, 0x4f};
+    case Mood::Worried:
+        return {0xd8, 0x61, 0x1a};
+    case Mood::Failed:
+        return {0xd9, 0x46, 0x3a};
+    }
+    return Qt::gray;
+}
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent)
@@ -129,6 +129,11 @@ StatusLine::StatusLine(QWidget* parent)
     addPermanentWidget(m_problems);
     addSolver();
     connectButtons();
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, [this] {
+        if (m_where)
+            m_coordinates->setText(m_where());
+        showState(); // a finding may have a length in it
+    });
 }
 
 void StatusLine::addPrompt()
@@ -215,9 +220,10 @@ void StatusLine::showPrompt()
     m_why->setVisible(!m_flash.isEmpty() && !m_reasons.isEmpty());
 }
 
-void StatusLine::setCoordinates(const QString& text)
+void StatusLine::setCoordinates(const std::function<QString()>& text)
 {
-    m_coordinates->setText(text);
+    m_where = text;
+    m_coordinates->setText(text());
 }
 
 void StatusLine::setSolver(const SolverStatus& status, bool paused)

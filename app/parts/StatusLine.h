@@ -7,6 +7,7 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include <functional>
 #include <optional>
 
 class QLabel;
@@ -33,7 +34,8 @@ public:
     void flashNext(const QString& message, const QString& why);
     /// It is not so any more.
     void forgetReason();
-    void setCoordinates(const QString& text);
+    /// Asked again when lengths are shown in another unit.
+    void setCoordinates(const std::function<QString()>& text);
     void setSolver(const SolverStatus& status, bool paused);
     /// What there is to worry about in the cover, the worst first. `known`: it is that of the cover that is shown.
     void setFindings(const std::vector<CoverFinding>& findings, bool known);
@@ -50,6 +52,7 @@ public:
         Failed   ///< red
     };
     Mood mood() const;
+    static QColor colorOf(Mood mood);
 
 signals:
     void problemsWanted();
@@ -76,6 +79,7 @@ private:
     ElidedLabel* m_promptLabel;
     QToolButton* m_why;
     QLabel* m_coordinates;
+    std::function<QString()> m_where;
     QLabel* m_note;
     QToolButton* m_problems;
     StateDot* m_dot;

@@ -122,6 +122,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectFindings();
     connectKeyboard();
     connectJobs();
+    connectStartPage();
     m_session->startNew();
     restoreSize();
 }
@@ -174,6 +175,7 @@ void MainWindow::designOpened()
     m_solver->forget(m_session->files());
     m_surface->shown().setFiles(m_session->files());
     m_pattern->navigation().fitAll();
+    m_coverAwaited = true;
     lookAtOpened();
     updateTitle();
     m_commands->update();
@@ -249,8 +251,10 @@ void MainWindow::restoreSize()
 void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (!std::exchange(m_wasShown, true))
+    if (!std::exchange(m_wasShown, true)) {
+        pageMoved();
         QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
+    }
 }
 
 /// Docks get the sizes they had only in a window that has its own. Once it is on the screen: docks that float would

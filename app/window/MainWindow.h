@@ -115,6 +115,8 @@ private:
     void connectFindings();
     void connectKeyboard();
     void connectJobs();
+    void connectStartPage();
+    void pageMoved();
     void askAboutJobs();
     void designOpened();
     void keepCamera();
@@ -164,9 +166,10 @@ private:
     MapCommands* m_mapCommands = nullptr;
     StartCommands* m_startCommands = nullptr;
     Tour* m_tour = nullptr;
-    bool m_jobsShown = false; ///< by itself
-    QTimer m_jobsSeen;        ///< a job takes longer than a moment: the list of jobs comes up
-    bool m_fitCover = false;  ///< the next surface is the first of its design
+    bool m_jobsShown = false;   ///< by itself
+    QTimer m_jobsSeen;          ///< a job takes longer than a moment: the list of jobs comes up
+    bool m_coverAwaited = true; ///< of this design none was on the screen yet
+    bool m_fitCover = false;    ///< the next surface is the first of its design
     bool m_wasShown = false;
     bool m_arranged = false;    ///< docks and tool bars are where they were at the last end
     bool m_workKept = false;    ///< closing was agreed to

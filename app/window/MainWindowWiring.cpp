@@ -56,10 +56,15 @@
 #include "WindowCommands.h"
 
 #include <QApplication>
+#include <QLoggingCategory>
+
+#include <algorithm>
 
 namespace bolster {
 
 namespace {
+
+Q_LOGGING_CATEGORY(times, "bolster.times", QtWarningMsg) // for those who measure
 
 constexpr std::size_t mostSelectedAtOnce = 500; // patches that were imported
 
@@ -263,17 +268,26 @@ void MainWindow::connectViews()
     connect(m_surface, &CoverView::promptChanged, m_status, &StatusLine::setPrompt);
     connect(m_pattern, &PatternView::failed, m_status, &StatusLine::flash);
     connect(m_surface, &CoverView::failed, m_status, &StatusLine::flash);
+    connect(m_surface, &CoverView::pictured, this, [this] { // tests/figures/starts waits for it
+        if (m_coverAwaited && m_surface->shownSurface()) {
+            m_coverAwaited = false;
+            qCInfo(times, "the cover is on the screen");
+        }
+    });
     connect(m_surface, &CoverView::rendererNote, m_status, &StatusLine::setRendererNote);
     connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
-        m_status->setCoordinates(at ? tr("x %1   y %2").arg(steadyLengthFigure(at->x()), steadyLengthText(at->y()))
-                                    : QString());
+        m_status->setCoordinates([at] {
+            return at ? tr("x %1   y %2").arg(steadyLengthFigure(at->x()), steadyLengthText(at->y())) : QString();
+        });
         m_status->setPrompt(m_pattern->prompt());
     });
     connect(m_surface, &CoverView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
-        m_status->setCoordinates(
-            at ? tr("x %1   y %2   z %3")
-                     .arg(steadyLengthFigure(at->x()), steadyLengthFigure(at->y()), steadyLengthText(at->z()))
-               : QString());
+        m_status->setCoordinates([at] {
+            return at ? tr("x %1   y %2   z %3")
+                            .arg(steadyLengthFigure(at->x()), steadyLengthFigure(at->y()),
+                                 steadyLengthText(at->z()))
+                      : QString();
+        });
         m_status->setPrompt(m_surface->prompt());
     });
     connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->visibility().setHidden({}); });
@@ -389,6 +403,30 @@ void MainWindow::connectJobs()
         if (std::exchange(m_jobsShown, false))
             m_docks->jobs->hide();
     });
+}
+
+/// What the start page lies over is neither drawn nor dressed; who can see a fabric elsewhere sees what it is like.
+void MainWindow::connectStartPage()
+{
+    connect(m_startPage, &StartPage::toggled, this, &MainWindow::pageMoved);
+    connect(m_docks->cover, &QDockWidget::topLevelChanged, this, &MainWindow::pageMoved);
+    connect(m_docks->fabrics, &QDockWidget::visibilityChanged, m_fabricLink.get(), [this](bool seen) {
+        if (seen)
+            m_fabricLink->begin();
+    });
+    connect(&m_selection, &Selection::changed, m_fabricLink.get(), [this] {
+        const auto isFabric = [this](ElementId id) { return document().design().find<Fabric>(id) != nullptr; };
+        if (std::ranges::any_of(m_selection.elements(), isFabric))
+            m_fabricLink->begin();
+    });
+}
+
+void MainWindow::pageMoved()
+{
+    const bool covered = m_startPage->isOpen() && !m_docks->cover->isFloating();
+    m_surface->setCovered(covered);
+    if (m_wasShown && !covered)
+        m_fabricLink->begin();
 }
 
 } // namespace bolster

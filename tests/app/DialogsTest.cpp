@@ -10,6 +10,7 @@
 #include "NumberBox.h"
 #include "RenderDialog.h"
 #include "SimplifyChoice.h"
+#include "ViewPrint.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -315,6 +316,22 @@ TEST_F(DialogsTest, CtrlPPrintsF12MakesAPictureAndPauseHasOtherKeys)
     takeKeyboard();
     QTest::keyClick(&window.patternView(), Qt::Key_Period, Qt::ControlModifier);
     EXPECT_TRUE(window.solver().paused());
+}
+
+TEST_F(DialogsTest, PaperIsLightInTheDarkTheme)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    window.command("view.theme-dark")->trigger();
+    const auto corner = [](const QImage& picture) {
+        return picture.pixelColor(3, picture.height() - 4).lightness();
+    };
+    ASSERT_LT(corner(window.coverView().grabPicture()), 100);
+    const ViewSheet sheet = sheetOf(window.coverView(), "Chair");
+    EXPECT_GT(corner(sheet.picture), 200);
+    EXPECT_EQ(sheet.title, "Chair");
+    EXPECT_LT(corner(window.coverView().grabPicture()), 100) << "the window is as it was";
+    window.command("view.theme-light")->trigger();
 }
 
 TEST_F(DialogsTest, OneToolIsLit)

@@ -70,7 +70,7 @@ void SoftwareCanvas::refresh(bool moving)
 
 void SoftwareCanvas::send(bool moving)
 {
-    if (!m_job || width() < 1 || height() < 1)
+    if (!m_job || !isVisible() || width() < 1 || height() < 1)
         return;
     if (m_asked && m_asked->moving) {
         // Let it end: stopping it again and again would show none.

@@ -9,6 +9,15 @@
 
 namespace bolster {
 
+bool promisesGl()
+{
+    static const QStringList platforms{QStringLiteral("xcb"), QStringLiteral("wayland"), QStringLiteral("windows"),
+                                       QStringLiteral("cocoa")};
+    const QString platform = QGuiApplication::platformName();
+    return std::any_of(platforms.begin(), platforms.end(),
+                       [&](const QString& p) { return platform.startsWith(p); });
+}
+
 GlFunctions* glFunctions()
 {
     QOpenGLContext* context = QOpenGLContext::currentContext();
@@ -25,13 +34,18 @@ QSurfaceFormat glFormat()
     return format;
 }
 
+void loadGl()
+{
+    QOpenGLContext context;
+    context.setFormat(glFormat());
+    if (promisesGl())
+        context.create();
+}
+
 QString glProblem()
 {
     const auto problem = [](const char* text) { return QCoreApplication::translate("bolster::GlCanvas", text); };
-    static const QStringList platforms{QStringLiteral("xcb"), QStringLiteral("wayland"), QStringLiteral("windows"),
-                                       QStringLiteral("cocoa")};
-    const QString platform = QGuiApplication::platformName();
-    if (std::none_of(platforms.begin(), platforms.end(), [&](const QString& p) { return platform.startsWith(p); }))
+    if (!promisesGl())
         return problem(QT_TRANSLATE_NOOP("bolster::GlCanvas", "No OpenGL: drawn in software"));
 
     QOpenGLContext context;

@@ -19,5 +19,9 @@ QSurfaceFormat glFormat();
 /// Why OpenGL cannot be used here, for the user, or "". Tries a context of its own; never crashes where a widget
 /// would (Qt's offscreen platform).
 QString glProblem();
+/// Whether it is worth trying.
+bool promisesGl();
+/// Loads what OpenGL comes in, which takes long the first time; on any thread.
+void loadGl();
 
 } // namespace bolster

@@ -190,10 +190,7 @@ void FileCommands::addExchange(Commands& commands)
 
 void FileCommands::printView()
 {
-    const auto print = [this] {
-        printSheet(&m_window,
-                   {m_surface.grabPicture(), m_session.title(), QDateTime::currentDateTime(), m_surface.map()});
-    };
+    const auto print = [this] { printSheet(&m_window, sheetOf(m_surface, m_session.title())); };
     if (m_solver.surface())
         m_cover.then(print);
     else

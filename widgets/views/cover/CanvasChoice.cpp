@@ -1,6 +1,7 @@
 #include "CanvasChoice.h"
 
 #include "GlCanvas.h"
+#include "GlFunctions.h"
 #include "SoftwareCanvas.h"
 
 #include <utility>
@@ -41,6 +42,33 @@ void CanvasChoice::make()
     emit note({});
 }
 
+void CanvasChoice::makeSoon()
+{
+    if (m_canvas || m_loading)
+        return;
+    if (m_drawing == Drawing::Software || !promisesGl()) {
+        make();
+        return;
+    }
+    m_loading = std::make_unique<LatestJob<bool, bool>>(
+        [](bool, const std::stop_token&) {
+            loadGl();
+            return true;
+        },
+        [this](bool) {
+            make();
+            refresh(false);
+        });
+    m_loading->request(true);
+}
+
+void CanvasChoice::setCovered(bool covered)
+{
+    m_covered = covered;
+    if (m_canvas)
+        m_canvas->widget().setVisible(!covered);
+}
+
 void CanvasChoice::useSoftware(const QString& why)
 {
     m_canvas.reset();
@@ -56,7 +84,7 @@ void CanvasChoice::use(std::unique_ptr<SceneCanvas> canvas)
     m_canvas->setReduced(m_reduced);
     place();
     m_canvas->widget().lower();
-    m_canvas->widget().show();
+    m_canvas->widget().setVisible(!m_covered);
     emit changed(m_canvas->drawsOcclusion());
 }
 

@@ -1,6 +1,7 @@
 // The canvas of the 3D view: with OpenGL where it works, else in software.
 #pragma once
 
+#include "LatestJob.h"
 #include "SceneCanvas.h"
 #include "SoftwareRenderer.h"
 
@@ -30,6 +31,11 @@ public:
     void setReduced(bool reduced);
     /// Unless it is there.
     void make();
+    /// The same, but the window does not wait for the libraries of OpenGL.
+    void makeSoon();
+    bool made() const { return m_canvas != nullptr; }
+    /// While something lies over the view nothing is drawn.
+    void setCovered(bool covered);
 
     /// Fills the view.
     void place();
@@ -60,7 +66,9 @@ private:
     std::shared_ptr<SoftwareRenderer> m_renderer;
     Drawing m_drawing = Drawing::Automatic;
     bool m_reduced = false;
+    bool m_covered = false;
     std::unique_ptr<SceneCanvas> m_canvas;
+    std::unique_ptr<LatestJob<bool, bool>> m_loading;
 };
 
 } // namespace bolster

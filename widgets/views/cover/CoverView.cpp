@@ -7,6 +7,9 @@
 #include "ViewCube.h"
 
 #include <QEvent>
+#include <QPainter>
+
+#include <utility>
 
 namespace bolster {
 
@@ -91,7 +94,7 @@ void CoverView::setDrawing(Drawing drawing)
 
 bool CoverView::pictures(const SurfaceMeshPtr& surface) const
 {
-    return !isVisible() || (m_shown.surface() == surface && m_canvas.upToDate());
+    return !isVisible() || m_covered || (m_shown.surface() == surface && m_canvas.upToDate());
 }
 
 void CoverView::setMap(const ShownMapPtr& map)
@@ -108,6 +111,14 @@ const ShownMapPtr& CoverView::map() const
 void CoverView::setMapReading(const QString& reading)
 {
     m_legend->setReading(reading);
+}
+
+QImage CoverView::grabPicture(const ViewColors& colors)
+{
+    m_shown.setColors(colors);
+    const QImage picture = grabPicture();
+    m_shown.setColors(ViewColors::of(palette()));
+    return picture;
 }
 
 QImage CoverView::grabCover()
@@ -165,9 +176,27 @@ void CoverView::draw(bool moving)
 void CoverView::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_canvas.make();
+    if (!m_covered)
+        m_canvas.makeSoon();
     m_navigation.catchUp();
     draw(false);
+}
+
+void CoverView::setCovered(bool covered)
+{
+    if (std::exchange(m_covered, covered) == covered)
+        return;
+    m_canvas.setCovered(covered);
+    if (!covered && isVisible())
+        m_canvas.makeSoon();
+    draw(false);
+    emit pictured(); // or nothing that could be seen
+}
+
+/// Until there is something that draws.
+void CoverView::paintEvent(QPaintEvent*)
+{
+    QPainter(this).fillRect(rect(), m_shown.scene().veil());
 }
 
 void CoverView::resizeEvent(QResizeEvent* event)

@@ -47,6 +47,10 @@ public:
     /// Both before the view is shown; without a renderer a view without OpenGL shows curves only.
     void setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> renderer);
     void setDrawing(Drawing drawing);
+    /// Something lies over the view: nothing is drawn until it is seen.
+    void setCovered(bool covered);
+    /// It has something to draw on: not before it was seen.
+    bool draws() const { return m_canvas.made(); }
     /// Quick pictures, also when nothing moves; at any time.
     void setReduced(bool reduced) { m_canvas.setReduced(reduced); }
     /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
@@ -55,6 +59,8 @@ public:
     bool pictures(const SurfaceMeshPtr& surface) const;
     /// What the view shows now, in device pixels, drawn finely.
     QImage grabPicture() { return m_canvas.grab(); }
+    /// The same in other colours: on a light ground for paper.
+    QImage grabPicture(const ViewColors& colors);
     /// The part of it that has the cover, with some room around and nothing marked; without a cover everything.
     QImage grabCover();
 
@@ -116,6 +122,7 @@ signals:
 protected:
     bool event(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -138,6 +145,7 @@ private:
     void startDrag(const QMouseEvent& event, Qt::MouseButton button);
 
     bool m_whole = false; ///< else what is in it comes or goes, and there are no tools to handle events
+    bool m_covered = false;
     Selection& m_selection;
     SceneVisibility m_visibility;
     ShownScene m_shown;
