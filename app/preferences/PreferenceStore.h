@@ -19,14 +19,19 @@ public:
     explicit PreferenceStore(QObject* parent = nullptr);
 
     const Preferences& now() const { return m_now; }
-    /// Kept at once; in the settings there is only what differs from the program's own.
+    /// Kept at once, if the disk lets it; in the settings there is only what differs from the program's own.
     void set(const Preferences& preferences);
 
 signals:
     void changed(const bolster::Preferences& before);
+    /// They hold while the program runs, but are not on the disk. Said once, until they were kept again.
+    void notKept(const bolster::Message& why);
 
 private:
+    void keep(const Preferences& before);
+
     Preferences m_now;
+    bool m_notKept = false;
 };
 
 /// All settings as text for a file.
@@ -35,8 +40,9 @@ std::string preferencesText(const Preferences& preferences);
 /// What a file says. Those that it does not have stay as they are in `now`.
 struct ReadPreferences {
     Preferences preferences;
-    Message problem;     ///< why it is none of ours; nothing is taken then
-    QStringList unknown; ///< keys that another version of the program must have written
+    Message problem;      ///< why it is none of ours; nothing is taken then
+    QStringList unknown;  ///< keys that another version of the program must have written
+    QStringList noFolder; ///< what should be a folder and is none on this machine; that setting stays as it was
 };
 ReadPreferences readPreferences(const std::string& text, const Preferences& now);
 

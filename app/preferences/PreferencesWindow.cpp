@@ -298,7 +298,7 @@ void PreferencesWindow::importFrom(const QString& file)
     constexpr std::int64_t largest = 1'000'000; // bytes
     const WholeFile whole = readWholeFile(file, largest);
     const ReadPreferences read = whole.problem.empty() ? readPreferences(whole.bytes, m_store.now())
-                                                       : ReadPreferences{{}, whole.problem, {}};
+                                                       : ReadPreferences{{}, whole.problem, {}, {}};
     if (!read.problem.empty()) {
         tell(this, QMessageBox::Warning,
              tr("Nothing was imported from \"%1\"; all settings are as they were.").arg(QFileInfo(file).fileName()),
@@ -306,11 +306,17 @@ void PreferencesWindow::importFrom(const QString& file)
         return;
     }
     m_store.set(read.preferences);
+    QStringList notes;
     if (!read.unknown.isEmpty())
+        notes << tr("This version of Bolster does not know %n of them: %1", nullptr,
+                    static_cast<int>(read.unknown.size()))
+                     .arg(read.unknown.join(QStringLiteral(", ")));
+    for (const QString& folder : read.noFolder)
+        notes
+            << tr("\"%1\" is no folder on this machine: the folder of your fabrics stays what it was.").arg(folder);
+    if (!notes.isEmpty())
         tell(this, QMessageBox::Information, tr("The preferences were imported."),
-             tr("This version of Bolster does not know %n of them: %1", nullptr,
-                static_cast<int>(read.unknown.size()))
-                 .arg(read.unknown.join(QStringLiteral(", "))));
+             notes.join(QStringLiteral("\n\n")));
 }
 
 void PreferencesWindow::set(const PreferenceRow& setting, const QVariant& value)

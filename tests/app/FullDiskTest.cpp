@@ -4,12 +4,15 @@
 #include "ElementEdits.h"
 #include "FabricCommands.h"
 #include "FabricLink.h"
+#include "PreferenceStore.h"
 #include "Project.h"
 #include "RenderDialog.h"
+#include "Units.h"
 
 #include <QFile>
 #include <QImage>
 #include <QProcess>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QStorageInfo>
@@ -74,6 +77,39 @@ protected:
         window.document().commit(edits::changeSettings(window.document().design(), settings));
     }
 };
+
+TEST_F(FullDiskTest, PreferencesThatCannotBeKeptAreSaidOnceAndKeptWhenThereIsRoom)
+{
+    QSettings().setValue("test/there", 1);
+    QSettings().sync();
+    const QString folder = QFileInfo(QSettings().fileName()).absolutePath();
+    SmallDisk disk(64, folder);
+    if (!disk.mounted())
+        GTEST_SKIP() << "only the administrator may mount";
+    disk.fill(0);
+    Preferences wanted = window.preferences().now();
+    wanted.length = "cm";
+    window.preferences().set(wanted);
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_TRUE(box);
+    EXPECT_TRUE(box->text().contains("could not be stored"));
+    EXPECT_TRUE(box->informativeText().contains(folder)) << qPrintable(box->informativeText());
+    EXPECT_TRUE(box->informativeText().contains("full")) << qPrintable(box->informativeText());
+    box->close();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(lengthSuffix(), " cm") << "it holds all the same";
+    wanted.reducedMotion = true;
+    window.preferences().set(wanted);
+    EXPECT_FALSE(QApplication::activeModalWidget()) << "said already";
+    disk.makeRoom();
+    wanted.reducedMotion = false;
+    window.preferences().set(wanted);
+    EXPECT_FALSE(QApplication::activeModalWidget());
+    QFile kept(QSettings().fileName());
+    ASSERT_TRUE(kept.open(QFile::ReadOnly));
+    EXPECT_TRUE(kept.readAll().contains("length=cm")) << "with what could not be kept before";
+    window.preferences().set({});
+}
 
 TEST_F(FullDiskTest, SavingSaysSoAndNothingIsLost)
 {

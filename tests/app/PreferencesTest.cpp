@@ -7,6 +7,7 @@
 #include "NumberBox.h"
 #include "PreferencesWindow.h"
 #include "Shortcuts.h"
+#include "StatusLine.h"
 #include "WholeFile.h"
 
 #include <QCheckBox>
@@ -129,6 +130,7 @@ TEST_F(PreferencesTest, AreTakenToAnotherMachine)
     PreferencesWindow& shown = preferences();
     Preferences other = allOthers();
     other.fontPercent = 110;
+    other.fabricFolder = folder.path(); // one that is there
     window.preferences().set(other);
     shown.exportTo(file);
     window.preferences().set({});
@@ -150,6 +152,10 @@ TEST_F(PreferencesTest, BadFilesSayWhyAndChangeNothing)
         {R"({"format": "bolster-preferences", "settings": {"units/length": "cm", "window/font-percent": 900}})",
          "window/font-percent"},
         {R"({"format": "bolster-preferences", "settings": {"units/length": "ell"}})", "units/length"},
+        {R"({"format": "bolster-preferences", "settings": {"units/length": "cm", "units/length": "in"}})",
+         "\"units/length\" stands there twice"},
+        {R"({"format": "bolster-preferences", "settings": {"units/length": "cm"}, "settings": {}})",
+         "\"settings\" stands there twice"},
     };
     for (const auto& [text, said] : files) {
         ASSERT_TRUE(replaceWholeFile(file, text).empty());
@@ -184,6 +190,31 @@ TEST_F(PreferencesTest, NewerFilesAreTakenAsFarAsTheyAreKnown)
     shown.close();
 }
 
+TEST_F(PreferencesTest, AFolderThatIsNoneHereStaysWhatItWas)
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.json");
+    Preferences now;
+    now.fabricFolder = folder.path();
+    window.preferences().set(now);
+    for (const QString& other : {file, folder.filePath("gone")}) {
+        Preferences elsewhere;
+        elsewhere.length = "cm";
+        elsewhere.fabricFolder = other;
+        ASSERT_TRUE(replaceWholeFile(file, preferencesText(elsewhere)).empty());
+        PreferencesWindow& shown = preferences();
+        shown.importFrom(file);
+        EXPECT_EQ(window.preferences().now().fabricFolder, folder.path());
+        EXPECT_EQ(window.preferences().now().length, "cm") << "all others are taken";
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_TRUE(box);
+        EXPECT_TRUE(box->informativeText().contains(other)) << box->informativeText().toStdString();
+        box->close();
+        shown.close();
+        QCoreApplication::processEvents();
+    }
+}
+
 TEST_F(PreferencesTest, UnitsChangeAtOnceInThePropertiesAndAreTyped)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
@@ -210,6 +241,21 @@ TEST_F(PreferencesTest, UnitsChangeAtOnceInThePropertiesAndAreTyped)
     EXPECT_EQ(storedPreferences().length, "in");
     window.document().undo();
     EXPECT_DOUBLE_EQ(window.document().design().settings().edgeLength, before);
+}
+
+TEST_F(PreferencesTest, TheStatusLineKeepsUpWithTheUnit)
+{
+    emit window.patternView().pointerMoved(Vec2(254, 127));
+    const auto shown = [&](const QString& text) {
+        const auto labels = window.statusLine().findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text().contains(text); });
+    };
+    EXPECT_TRUE(shown("254.0"));
+    Preferences inches;
+    inches.length = "in";
+    window.preferences().set(inches);
+    EXPECT_TRUE(shown("10.00")) << "though the pointer stands still";
+    EXPECT_FALSE(shown("254.0"));
 }
 
 TEST_F(PreferencesTest, SettingsAreFoundByTheirWords)

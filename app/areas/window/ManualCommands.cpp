@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QKeyEvent>
+#include <QMenu>
 
 namespace bolster {
 
@@ -31,15 +32,34 @@ ManualCommands::ManualCommands(Commands& commands, QWidget& window, std::functio
     qApp->installEventFilter(this);
 }
 
-/// Keys of the main window's commands don't reach dialogs.
+/// Keys of the main window's commands reach neither dialogs nor menus.
 bool ManualCommands::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_F1 ||
-        static_cast<QKeyEvent*>(event)->modifiers() != Qt::NoModifier ||
-        !qobject_cast<QDialog*>(QApplication::activeWindow()) || !watched->isWidgetType())
+        static_cast<QKeyEvent*>(event)->modifiers() != Qt::NoModifier || !watched->isWidgetType())
+        return false;
+    if (qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
+        const QString place = placeOfMenu();
+        while (QWidget* menu = QApplication::activePopupWidget()) // it would lie over the manual
+            if (!menu->close())
+                break;
+        open(place);
+        return true;
+    }
+    if (!qobject_cast<QDialog*>(QApplication::activeWindow()))
         return false;
     open(placeNow());
     return true;
+}
+
+/// Of the entry that is lit in the menu that was opened last; a menu that only leads there counts if that has none.
+QString ManualCommands::placeOfMenu() const
+{
+    for (const QWidget* part = QApplication::activePopupWidget(); part; part = part->parentWidget())
+        if (const auto* menu = qobject_cast<const QMenu*>(part); menu && menu->isVisible() && menu->activeAction())
+            if (const QString place = m_places.ofCommand(menu->activeAction()->objectName()); !place.isEmpty())
+                return place;
+    return placeNow();
 }
 
 QString ManualCommands::placeNow() const

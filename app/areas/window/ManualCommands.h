@@ -27,6 +27,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    QString placeOfMenu() const;
     void open(const QString& place);
 
     Commands& m_commands;

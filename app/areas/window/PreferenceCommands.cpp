@@ -1,6 +1,7 @@
 #include "PreferenceCommands.h"
 
 #include "ApplyPreferences.h"
+#include "Ask.h"
 #include "Commands.h"
 #include "CoverLink.h"
 #include "CoverView.h"
@@ -11,6 +12,7 @@
 #include "KeyPresets.h"
 #include "PreferencesWindow.h"
 #include "SolverLink.h"
+#include "Translated.h"
 
 #include <QAction>
 #include <QApplication>
@@ -35,6 +37,11 @@ PreferenceCommands::PreferenceCommands(Commands& commands, PreferenceStore& stor
     connect(&store, &PreferenceStore::changed, this, [this] {
         applyLooks(*qApp, m_store.now());
         apply();
+    });
+    connect(&store, &PreferenceStore::notKept, this, [this](const Message& why) {
+        QWidget* window = m_window ? static_cast<QWidget*>(m_window.data()) : &m_parts.window;
+        tell(window, QMessageBox::Warning,
+             tr("The preferences could not be stored: they hold only until Bolster is closed."), translated(why));
     });
     apply();
     const std::pair<const char*, const char*> toggles[] = {{"drawing/snapping", "draw.snapping"},
