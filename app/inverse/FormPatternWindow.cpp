@@ -7,6 +7,7 @@
 #include "ElementText.h"
 #include "FlatPiecesView.h"
 #include "FramePieces.h"
+#include "Jobs.h"
 #include "NumberBox.h"
 #include "SolverLink.h"
 #include "Translated.h"
@@ -279,6 +280,8 @@ void FormPatternWindow::ask(bool draft)
     m_drawn = m_document.design();
     const bool file = m_form->currentData().toString() == "file";
     if (!m_mesh && (!file || m_file.isEmpty())) {
+        m_job.cancel();
+        m_running.reset();
         m_said->setText(file ? tr("Choose the file of a form.") : tr("There is no form: import a frame first."));
         return;
     }
@@ -296,7 +299,17 @@ void FormPatternWindow::ask(bool draft)
     wanted.order.edgeLength = m_document.design().settings().edgeLength;
     if (!draft)
         m_said->setText(tr("Laying it flat \u2026"));
+    if (!draft && !m_running)
+        m_running = std::make_unique<RunningJob>(tr("Laying a form flat \u2026"), [this] { stop(); });
     m_job.request(std::move(wanted), !draft);
+}
+
+void FormPatternWindow::stop()
+{
+    m_job.cancel();
+    ++m_asked; // what is on its way comes too late
+    m_running.reset();
+    m_said->setText(tr("It was stopped. Change how it is cut, or choose the form again, to lay it flat."));
 }
 
 void FormPatternWindow::take(FormMade made)
@@ -305,6 +318,8 @@ void FormPatternWindow::take(FormMade made)
     if (!newest && !made.draft)
         return;
     m_upToDate = newest;
+    if (newest && !made.draft)
+        m_running.reset();
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, limitOf(fabric()));
     const bool whole = std::ranges::count(m_made->pattern.patches, noElement) == 0;

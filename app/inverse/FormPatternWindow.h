@@ -9,6 +9,8 @@
 
 #include <QDialog>
 
+#include <memory>
+
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -20,6 +22,7 @@ namespace bolster {
 class DesignSession;
 class FlatPiecesView;
 class NumberBox;
+class RunningJob;
 class SolverLink;
 
 class FormPatternWindow : public QDialog {
@@ -45,6 +48,7 @@ private:
     void chooseFile();
     void formChosen();
     void ask(bool draft);
+    void stop();
     void take(FormMade made);
     void say();
     void make();
@@ -69,6 +73,7 @@ private:
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const FormMade> m_made;
     int m_asked = 0;
+    std::unique_ptr<RunningJob> m_running; ///< but for drafts
     bool m_upToDate = false;
     LatestJob<FormWanted, FormMade> m_job; ///< last: it uses the others
 };

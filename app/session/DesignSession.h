@@ -51,7 +51,7 @@ public:
     enum class Opening {
         ToWork,
         ToLook, ///< without its path: Save asks where
-        AsNew   ///< without path and name: what stands there is only where a new design begins
+        AsNew   ///< without its path, under its title: what stands there is only where a new design begins
     };
     /// A sample is opened to look. On failure everything stays as it was. What was changed while the file was read
     /// is asked about by `replace`. When stopped, nothing happens, and `done` is not called.

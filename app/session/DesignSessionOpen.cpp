@@ -4,6 +4,7 @@
 #include "ElementEdits.h"
 #include "Project.h"
 #include "Samples.h"
+#include "Templates.h"
 
 #include <QFileInfo>
 
@@ -151,7 +152,7 @@ void DesignSession::open(const QString& path, Opening opening, const Replace& re
     readNewest(read, replace, done, stop, [this, file, opening, done](const Opened& opened) {
         const bool pathless = opening != Opening::ToWork || isSample(file);
         take(opened, pathless ? QString() : file, QFileInfo(file).absolutePath(),
-             opening == Opening::AsNew ? QString() : titleOf(file));
+             opening == Opening::AsNew ? templateTitle(file) : titleOf(file));
         m_onlyToLook = opening == Opening::ToLook;
         if (m_onlyToLook)
             emit titleChanged();

@@ -34,6 +34,15 @@ QString templatesFolder()
     return shippedFolder("templates");
 }
 
+QString templateTitle(const QString& path)
+{
+    const QString name = QFileInfo(path).completeBaseName();
+    for (const auto& [known, title] : templateTitles())
+        if (known == name)
+            return title;
+    return name;
+}
+
 QList<Sample> templates(const QString& folder)
 {
     if (folder.isEmpty())

@@ -1,8 +1,10 @@
 #include "TourPanel.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -58,6 +60,7 @@ TourPanel::TourPanel(QWidget* window)
     layout->addWidget(m_text);
     layout->addSpacing(4);
     layout->addLayout(buttons);
+    qApp->installEventFilter(this);
     hide();
 }
 
@@ -109,7 +112,7 @@ void TourPanel::fit()
 void TourPanel::placeBeside(const QRect& target)
 {
     m_target = target;
-    const QRect room = parentWidget()->rect().adjusted(roomAround, roomAround, -roomAround, -roomAround);
+    const QRect room = this->room();
     QPoint at(room.right() - width(), room.bottom() - height());
     const bool large = target.width() > room.width() / 3 && target.height() > room.height() / 3;
     if (large) // in its lower left corner: there is least of what one works at
@@ -118,8 +121,50 @@ void TourPanel::placeBeside(const QRect& target)
         at = {target.center().x() - width() / 2, target.bottom() + roomAround};
     else if (!target.isEmpty() && target.left() - roomAround - width() >= room.left())
         at = {target.left() - roomAround - width(), target.center().y() - height() / 2};
-    move(std::clamp(at.x(), room.left(), std::max(room.left(), room.right() - width())),
-         std::clamp(at.y(), room.top(), std::max(room.top(), room.bottom() - height())));
+    at = {std::clamp(at.x(), room.left(), std::max(room.left(), room.right() - width())),
+          std::clamp(at.y(), room.top(), std::max(room.top(), room.bottom() - height()))};
+    move(besideMenus(at));
+}
+
+/// Of the window, below its menu bar.
+QRect TourPanel::room() const
+{
+    QRect room = parentWidget()->rect();
+    if (const auto* window = qobject_cast<QMainWindow*>(parentWidget()))
+        if (const QWidget* bar = window->menuWidget(); bar && bar->isVisible())
+            room.setTop(bar->geometry().bottom());
+    return room.adjusted(roomAround, roomAround, -roomAround, -roomAround);
+}
+
+/// The same place unless a menu that is open would cover it: then at the right of all of them, or at the left.
+QPoint TourPanel::besideMenus(QPoint at) const
+{
+    QRect menus;
+    for (const QPointer<QMenu>& menu : m_menus)
+        if (menu && menu->isVisible())
+            menus |= QRect(parentWidget()->mapFromGlobal(menu->mapToGlobal(QPoint())), menu->size());
+    if (!menus.intersects(QRect(at, size())))
+        return at;
+    const QRect room = this->room();
+    if (menus.right() + roomAround + width() <= room.right())
+        at.setX(menus.right() + roomAround);
+    else if (menus.left() - roomAround - width() >= room.left())
+        at.setX(menus.left() - roomAround - width());
+    return at;
+}
+
+bool TourPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide)
+        if (auto* menu = qobject_cast<QMenu*>(watched)) {
+            m_menus.removeIf([menu](const QPointer<QMenu>& other) { return !other || other == menu; });
+            if (event->type() == QEvent::Show)
+                m_menus << menu;
+            // When it has its place, or is gone.
+            QMetaObject::invokeMethod(
+                this, [this] { placeBeside(QRect(m_target)); }, Qt::QueuedConnection);
+        }
+    return QFrame::eventFilter(watched, event);
 }
 
 void TourPanel::keyPressEvent(QKeyEvent* event)

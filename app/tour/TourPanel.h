@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QFrame>
+#include <QMenu>
+#include <QPointer>
 
 class QLabel;
 class QPushButton;
@@ -19,7 +21,8 @@ public:
     /// The step is done: what comes of it, until one goes on.
     void praise(const QString& text);
     void sayTheEnd(const QString& title, const QString& text);
-    /// Beside a place in the window, or in a corner of it when that fills most of the window.
+    /// Beside a place in the window, or in a corner of it when that fills most of the window; never over the menu
+    /// bar or an open menu.
     void placeBeside(const QRect& target);
     QString title() const;
 
@@ -30,9 +33,12 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void fit();
+    QRect room() const;
+    QPoint besideMenus(QPoint at) const;
 
     QLabel* m_count;
     QLabel* m_title;
@@ -41,6 +47,7 @@ private:
     QPushButton* m_next;
     QPushButton* m_leave;
     QRect m_target;
+    QList<QPointer<QMenu>> m_menus; ///< that are open
 };
 
 } // namespace bolster

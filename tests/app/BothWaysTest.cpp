@@ -6,6 +6,7 @@
 #include "DesignJson.h"
 #include "Designer.h"
 #include "FormPatternWindow.h"
+#include "Jobs.h"
 #include "MapLink.h"
 #include "NumberBox.h"
 #include "PatternFitWindow.h"
@@ -316,7 +317,18 @@ TEST_F(BothWaysTest, TheCoverIsAForm)
     ASSERT_GE(cover, 0);
     forms->setCurrentIndex(cover);
     emit forms->activated(cover);
+    const auto listed = [] {
+        return std::ranges::any_of(Jobs::all().running(),
+                                   [](const Jobs::Job& job) { return job.name.startsWith("Laying a form flat"); });
+    };
+    ASSERT_TRUE(listed());
+    Jobs::all().cancelAll();
+    EXPECT_FALSE(listed()) << "stopped";
+    EXPECT_FALSE(dialog->made());
+    emit forms->activated(cover); // again
+    ASSERT_TRUE(listed());
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 120000));
+    EXPECT_FALSE(listed()) << "done";
     for (const FlatPiece& piece : dialog->made()->flat)
         for (const Vec2& at : piece.at)
             ASSERT_TRUE(at.allFinite());

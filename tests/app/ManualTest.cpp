@@ -9,6 +9,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QMenu>
 #include <QTextBlock>
 #include <QTextBrowser>
 
@@ -60,6 +61,21 @@ TEST_F(ManualTest, OpensOverADialog)
     EXPECT_TRUE(manual()->place().startsWith("to-the-cutter.md")) << manual()->place().toStdString();
     manual()->close();
     dialog->close();
+}
+
+TEST_F(ManualTest, OpensAtTheEntryThatIsLitInAMenu)
+{
+    takeKeyboard();
+    QMenu* menu = window.commands().menu("seam");
+    ASSERT_TRUE(menu);
+    menu->popup(window.mapToGlobal(QPoint(100, 60)));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(menu));
+    menu->setActiveAction(window.command("tool.sew"));
+    QTest::keyClick(menu, Qt::Key_F1);
+    ASSERT_TRUE(manual());
+    EXPECT_TRUE(manual()->place().startsWith("sewing.md")) << manual()->place().toStdString();
+    EXPECT_FALSE(menu->isVisible()) << "it would lie over the page";
+    manual()->close();
 }
 
 TEST_F(ManualTest, EveryPlaceIsAHeading)

@@ -1,7 +1,9 @@
 // The start page, dropped files, jobs and the tour in the real window.
+#include "CoverView.h"
 #include "Docks.h"
 #include "DropFlow.h"
 #include "ElementEdits.h"
+#include "FabricLink.h"
 #include "FileImportDialog.h"
 #include "Jobs.h"
 #include "Project.h"
@@ -19,6 +21,7 @@
 
 #include "WindowTest.h"
 
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
 
@@ -106,6 +109,48 @@ TEST_F(StartTest, ThePageLiesOverBothViewsUntilSomethingIsOpened)
     EXPECT_GT(count<Patch>(), 0);
 }
 
+TEST_F(StartTest, WhatLiesBelowIsNeitherDrawnNorDressed)
+{
+    recentFiles::clear();
+    window.document().markSaved();
+    MainWindow started;
+    started.greet();
+    started.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&started));
+    waitUntilLaidOut();
+    waitForBackground();
+    EXPECT_TRUE(started.startPage().geometry().contains(started.docks().cover->geometry()));
+    EXPECT_TRUE(started.startPage().isAncestorOf(started.focusWidget())) << "keys go to the page";
+    EXPECT_FALSE(started.fabricLink().begun()) << "nobody sees a fabric";
+    EXPECT_TRUE(started.fabricLink().maps().empty());
+    EXPECT_FALSE(started.coverView().draws()) << "nobody sees a cover";
+    EXPECT_TRUE(started.coverView().pictures(started.solver().surface()));
+
+    started.startPage().close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return started.coverView().draws(); }, 60000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return started.fabricLink().upToDate(); }, 60000));
+    EXPECT_FALSE(started.fabricLink().maps().empty());
+    started.document().markSaved();
+    started.close();
+}
+
+TEST_F(StartTest, FabricsThatAreSeenBesideThePageAreDressed)
+{
+    recentFiles::clear();
+    window.document().markSaved();
+    MainWindow started;
+    started.greet();
+    started.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&started));
+    waitUntilLaidOut();
+    ASSERT_FALSE(started.fabricLink().begun());
+    Docks::reveal(started.docks().fabrics);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return started.fabricLink().upToDate(); }, 60000));
+    EXPECT_FALSE(started.coverView().draws());
+    started.document().markSaved();
+    started.close();
+}
+
 TEST_F(StartTest, KeysAreEnough)
 {
     recentFiles::clear();
@@ -180,7 +225,7 @@ TEST_F(StartTest, ProjectsShowThePictureOfTheirLastVersion)
     EXPECT_TRUE(projectPicture(sample("box-cushion")).png.empty()) << "that is no project";
 }
 
-TEST_F(StartTest, ATemplateBecomesANewDesignWithoutAName)
+TEST_F(StartTest, ATemplateBecomesANewDesignOfItsName)
 {
     const QString path = copied(sample("box-cushion"), "bench.json");
     copied(sample("box-cushion"), "own.json");
@@ -197,7 +242,7 @@ TEST_F(StartTest, ATemplateBecomesANewDesignWithoutAName)
     EXPECT_GT(count<Patch>(), 0);
     EXPECT_TRUE(window.session().path().isEmpty()) << "Save asks where";
     EXPECT_FALSE(window.session().readOnly());
-    EXPECT_TRUE(window.windowTitle().startsWith("New design")) << qPrintable(window.windowTitle());
+    EXPECT_TRUE(window.windowTitle().startsWith("Bench")) << qPrintable(window.windowTitle());
     EXPECT_TRUE(recentFiles::all().isEmpty());
 }
 
@@ -287,6 +332,29 @@ TEST_F(StartTest, JobsAreListedAndCanBeStopped)
         EXPECT_TRUE(cancelled);
     }
     EXPECT_FALSE(window.docks().jobs->isVisible()) << "it came by itself";
+}
+
+TEST_F(StartTest, TheTourLiesOverNoMenu)
+{
+    QSettings().remove("tour/step");
+    ASSERT_TRUE(waitForOpened([&] { window.command("help.tour")->trigger(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.tour().running(); }, 20000));
+    auto* panel = window.findChild<TourPanel*>();
+    ASSERT_TRUE(panel && panel->isVisible());
+    const QRect bar = window.menuBar()->geometry();
+    panel->placeBeside(bar); // what it points at may be there
+    EXPECT_FALSE(panel->geometry().intersects(bar));
+    QMenu* menu = window.commands().menu("seam");
+    menu->popup(window.menuBar()->mapToGlobal(panel->geometry().topLeft() - QPoint(20, bar.height())));
+    const auto clear = [&] {
+        return !panel->geometry().intersects(QRect(window.mapFromGlobal(menu->pos()), menu->size()));
+    };
+    EXPECT_TRUE(menu->isVisible());
+    EXPECT_TRUE(QTest::qWaitFor(clear, 5000));
+    EXPECT_TRUE(window.rect().contains(panel->geometry()));
+    menu->close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel->geometry().left() < bar.width(); }, 5000));
+    panel->findChild<QPushButton*>("tour-leave")->click();
 }
 
 TEST_F(StartTest, TheTourGoesOnByDeedsAndFromWhereItWasLeft)

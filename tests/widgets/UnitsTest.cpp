@@ -61,6 +61,7 @@ TEST(Units, AreShownAsTheyAreChosen)
         EXPECT_EQ(lengthText(25.3), QStringLiteral("1\u2033")) << "the nearest part";
         EXPECT_EQ(lengthText(0.4), QStringLiteral("0.016\u2033")) << "which says nothing of what is so thin";
         EXPECT_EQ(sizeText(254, 127), QStringLiteral("10 \u00d7 5\u2033"));
+        EXPECT_EQ(sizesText({12.7, 0.4}, 1), QStringLiteral("0.5 \u00d7 0.016\u2033")) << "no two notations";
     }
     const StyledNumbers decimals(inInches(0));
     EXPECT_EQ(lengthText(314.325), QStringLiteral("12.375\u2033"));

@@ -1,5 +1,6 @@
 #include "Units.h"
 
+#include "LengthFigures.h"
 #include "Translated.h"
 
 #include <QCoreApplication>
@@ -14,14 +15,6 @@ namespace bolster {
 namespace {
 
 constexpr double millimetresPerInch = 25.4;
-
-/// Small lengths would be told wrong by their nearest fraction; then decimals say them.
-bool fractionSays(double inches, int fraction)
-{
-    constexpr double mostOff = 0.1; // of the length
-    const double shown = std::round(inches * fraction) / fraction;
-    return std::abs(shown - inches) <= mostOff * std::abs(inches) + 1e-9;
-}
 
 } // namespace
 
@@ -135,13 +128,7 @@ QString inchFractionText(double inches, int fraction)
 
 QString lengthFigure(double millimetres, int decimals)
 {
-    const NumberStyle& style = NumberStyles::now();
-    const double shown = millimetres / millimetresPerUnit();
-    constexpr double mostInParts = 1e7; // inches
-    if (style.length == LengthUnit::Inches && style.fraction > 0 && std::abs(shown) < mostInParts &&
-        fractionSays(shown, style.fraction))
-        return inchFractionText(shown, style.fraction);
-    return decimalText(shown, decimals + moreDecimals(), false);
+    return lengthFigures({millimetres}, decimals).front();
 }
 
 QString steadyLengthFigure(double millimetres, int decimals)
@@ -175,10 +162,7 @@ QString sizeText(double width, double height)
 
 QString sizesText(std::initializer_list<double> sides, int decimals)
 {
-    QStringList figures;
-    for (const double side : sides)
-        figures << lengthFigure(side, decimals);
-    return figures.join(QStringLiteral(" \u00d7 ")) + lengthSuffix();
+    return lengthFigures(sides, decimals).join(QStringLiteral(" \u00d7 ")) + lengthSuffix();
 }
 
 QString angleText(double degrees)

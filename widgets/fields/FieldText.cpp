@@ -2,6 +2,7 @@
 
 #include "DescribedField.h"
 #include "ElementText.h"
+#include "LengthFigures.h"
 #include "Units.h"
 
 #include <QCoreApplication>
@@ -47,9 +48,7 @@ QString jsonCurveText(const QJsonObject& object)
 {
     const BSpline<Dim> curve = jsonCurve<Dim>(object);
     const typename BSpline<Dim>::Point size = curve.boundingBox().sizes();
-    QStringList sizes;
-    for (int axis = 0; axis < Dim; ++axis)
-        sizes << lengthFigure(size[axis], 1);
+    const QStringList sizes = lengthFigures(std::vector<double>(size.begin(), size.end()), 1);
     return FieldWords::tr("%n points, %1", nullptr, curve.pointCount())
         .arg(sizes.join(QStringLiteral(" \u00d7 ")) + lengthSuffix());
 }
@@ -69,10 +68,14 @@ QString numberText(double number, Unit unit)
 
 QString joinedNumbers(const QJsonArray& numbers, Unit unit)
 {
+    std::vector<double> values;
     QStringList parts;
-    for (const QJsonValue& number : numbers)
-        parts << (unit == Unit::Millimetres ? lengthFigure(number.toDouble(), 2)
-                                            : numberLocale().toString(number.toDouble(), 'g', 4));
+    for (const QJsonValue& number : numbers) {
+        values.push_back(number.toDouble());
+        parts << numberLocale().toString(values.back(), 'g', 4);
+    }
+    if (unit == Unit::Millimetres)
+        parts = lengthFigures(values, 2);
     return parts.join(QStringLiteral(", ")) + (unit == Unit::Millimetres ? lengthSuffix() : unitSuffix(unit));
 }
 
