@@ -15,15 +15,15 @@ namespace bolster {
 namespace {
 
 struct Shades {
-    QRgb window, base, alternate, button, text, muted, highlight, highlighted, link, line;
+    QRgb window, base, alternate, button, text, muted, hint, highlight, highlighted, link, line;
 };
 
-constexpr Shades light{0xfff2f3f5, 0xffffffff, 0xfff7f8fa, 0xfff7f8f9, 0xff1d2127,
-                       0xff8b929c, 0xff2a6fb5, 0xffffffff, 0xff1f63a8, 0xffd3d7dd};
-constexpr Shades dark{0xff26292e, 0xff1d2024, 0xff23262b, 0xff31353b, 0xffe4e7eb,
-                      0xff7d848e, 0xff4a90d9, 0xffffffff, 0xff7ab5f0, 0xff3c4148};
-
-constexpr Shades contrast{0xff000000, 0xff000000, 0xff101010, 0xff1a1a1a, 0xffffffff,
+// What can be read of it is measured by tests/app/ContrastTest; what is switched off (`muted`) need not be read.
+constexpr Shades light{0xfff2f3f5, 0xffffffff, 0xfff7f8fa, 0xfff7f8f9, 0xff1d2127, 0xff8b929c,
+                       0xff646b75, 0xff2a6fb5, 0xffffffff, 0xff1f63a8, 0xffd3d7dd};
+constexpr Shades dark{0xff26292e, 0xff1d2024, 0xff23262b, 0xff31353b, 0xffe4e7eb, 0xff7d848e,
+                      0xff9aa1ab, 0xff5a9fe6, 0xff10151b, 0xff7ab5f0, 0xff3c4148};
+constexpr Shades contrast{0xff000000, 0xff000000, 0xff101010, 0xff1a1a1a, 0xffffffff, 0xffb8b8b8,
                           0xffb8b8b8, 0xffffd60a, 0xff000000, 0xff7fd4ff, 0xffffffff};
 
 QPalette paletteOf(const Shades& shades)
@@ -40,7 +40,7 @@ QPalette paletteOf(const Shades& shades)
         set(role, shades.text);
         p.setColor(QPalette::Disabled, role, QColor::fromRgba(shades.muted));
     }
-    set(QPalette::PlaceholderText, shades.muted);
+    set(QPalette::PlaceholderText, shades.hint);
     set(QPalette::Highlight, shades.highlight);
     set(QPalette::HighlightedText, shades.highlighted);
     p.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgba(shades.line));

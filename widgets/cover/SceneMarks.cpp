@@ -66,7 +66,7 @@ QColor seamColor(const ViewScene& scene)
 
 QColor fixationCurveColor(const ViewColors& colors)
 {
-    return colors.dark ? QColor(0x2f, 0xd6, 0xc3) : QColor(0x12, 0xb5, 0xa5);
+    return colors.dark ? QColor(0x2f, 0xd6, 0xc3) : QColor(0x0a, 0x8a, 0x7d);
 }
 
 void addFieldLines(const FieldPicture& field, ViewScene& scene)

@@ -16,11 +16,11 @@ struct Shade {
 // Hues that stay apart for the common kinds of colour blindness, lightness alternating; red is kept for errors.
 constexpr std::array<Shade, 8> palette{{
     {0xff0072b2, 0xff4aa8e8}, // blue
-    {0xffe58a00, 0xffffb347}, // orange
+    {0xffc47200, 0xffffb347}, // orange
     {0xff009e73, 0xff2fcf9f}, // bluish green
     {0xffcc5fa0, 0xffec8fc6}, // reddish purple
-    {0xff36a9dd, 0xff8fd6ff}, // sky blue
-    {0xffa3a000, 0xffe6df5a}, // yellow
+    {0xff1b8cc0, 0xff8fd6ff}, // sky blue
+    {0xff8c8900, 0xffe6df5a}, // yellow
     {0xff6a3d9a, 0xffb79bea}, // violet
     {0xff5b7f1a, 0xffa9cf63}, // olive green
 }};
