@@ -92,9 +92,11 @@ CommandPalette::CommandPalette(QMainWindow& window)
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     m_field->setPlaceholderText(tr("Find a command"));
+    m_field->setAccessibleName(m_field->placeholderText());
     m_field->setClearButtonEnabled(true);
     m_field->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     m_field->setMinimumHeight(32);
+    m_list->setAccessibleName(tr("Commands"));
     m_list->setItemDelegate(new CommandDelegate(m_list));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setFocusPolicy(Qt::NoFocus);

@@ -34,6 +34,7 @@ Banner::Banner(QWidget* parent)
     m_close->setIconSize({14, 14});
     m_close->setAutoRaise(true);
     m_close->setToolTip(tr("Close"));
+    m_close->setAccessibleName(m_close->toolTip());
     connect(m_close, &QToolButton::clicked, this, &Banner::dismiss);
 
     auto* layout = new QHBoxLayout(this);
@@ -83,6 +84,7 @@ void Banner::present(const Content& content)
     const QString name = m_kind == Kind::Problem ? QStringLiteral("error") : QStringLiteral("info");
     m_sign->setPixmap(icon(name, signColor(m_kind, palette())).pixmap(QSize(18, 18), devicePixelRatioF()));
     m_text->setText(content.text);
+    m_text->setAccessibleDescription(content.why);
     m_text->setToolTip(content.why);
     m_close->setVisible(!m_warning);
     while (QLayoutItem* item = m_buttons->takeAt(0)) {

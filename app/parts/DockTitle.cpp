@@ -31,6 +31,7 @@ DockTitle::DockTitle(QDockWidget* dock)
         result->setIconSize({12, 12});
         result->setAutoRaise(true);
         result->setToolTip(tip);
+        result->setAccessibleName(tip);
         result->setFocusPolicy(Qt::NoFocus);
         return result;
     };

@@ -7,6 +7,7 @@ void ElidedLabel::setFullText(const QString& text)
     if (text == m_full)
         return;
     m_full = text;
+    setAccessibleName(text); // what is cut off is read out, too
     updateGeometry();
     elide();
 }

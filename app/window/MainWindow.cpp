@@ -58,8 +58,10 @@ void fillToolBar(QToolBar& bar, Commands& commands)
     bar.setMovable(false);
     bar.setIconSize({20, 20});
     commands.fill(bar);
-    if (auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+    if (auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
         more->setToolTip(MainWindow::tr("More commands"));
+        more->setAccessibleName(more->toolTip());
+    }
 }
 
 QStringList filesOf(const QMimeData& data)

@@ -11,6 +11,7 @@
 #include "TestDesigns.h"
 #include "Translated.h"
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
@@ -231,6 +232,27 @@ TEST_F(InspectorTest, TheNameIsTheElementsOwnEvenIfTypingChangedNothing)
     EXPECT_EQ(free, QString::fromStdString(patch(secondSquare).name));
     EXPECT_EQ(typeName(taken), free) << "the free name is its own already: no edit, and the field says so";
     EXPECT_EQ(document.history().count(), 2);
+}
+
+/// By AT-SPI, as programs do that type for somebody.
+TEST_F(InspectorTest, ANameThatIsSetByAnotherProgramIsTaken)
+{
+    selection.set({firstSquare});
+    const auto name = [&] { return inspector.widget()->findChildren<QLineEdit*>().front(); };
+    const std::string before = patch(firstSquare).name;
+    const auto set = [&](const QString& text) {
+        name()->setFocus();
+        QAccessible::queryAccessibleInterface(name())->setText(QAccessible::Value, text);
+    };
+    set("Left");
+    QTest::keyClick(name(), Qt::Key_Escape);
+    EXPECT_EQ(name()->text().toStdString(), before) << "given up";
+    set("Seat");
+    QTest::keyClick(name(), Qt::Key_Return);
+    EXPECT_EQ(patch(firstSquare).name, "Seat");
+    EXPECT_EQ(document.history().count(), 2);
+    document.undo();
+    EXPECT_EQ(name()->text().toStdString(), before);
 }
 
 TEST_F(InspectorTest, AHighDockDoesNotPullTheRowsApart)

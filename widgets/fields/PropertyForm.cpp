@@ -30,7 +30,23 @@ namespace {
 /// Leaves undo to the design unless something has been typed.
 class TextBox : public QLineEdit {
 public:
-    using QLineEdit::QLineEdit;
+    explicit TextBox(QWidget* parent)
+        : QLineEdit(parent)
+    {
+        // Set by a program that types for somebody (AT-SPI): as good as typed, but nothing of it can be undone
+        // here.
+        connect(this, &QLineEdit::textChanged, this, [this] {
+            if (!m_displaying && !isUndoAvailable() && !isRedoAvailable())
+                setModified(true);
+        });
+    }
+
+    void display(const QString& text)
+    {
+        m_displaying = true;
+        setText(text);
+        m_displaying = false;
+    }
 
 protected:
     bool event(QEvent* event) override
@@ -40,6 +56,9 @@ protected:
         event->ignore();
         return false;
     }
+
+private:
+    bool m_displaying = false;
 };
 
 /// Scrolling through the panel must not change on the way what has no keyboard.
@@ -226,7 +245,7 @@ void PropertyForm::addText(const QString& label, const std::function<std::option
         if (edit->isModified())
             return;
         const std::optional<QString> text = read();
-        edit->setText(text.value_or(QString()));
+        edit->display(text.value_or(QString()));
         edit->setPlaceholderText(text ? QString() : variesText());
     };
     connect(edit, &QLineEdit::editingFinished, this, [edit, write, show] {

@@ -43,6 +43,7 @@ SectionPanel::SectionPanel(QWidget* parent)
         auto* button = new QToolButton(this);
         button->setText(text);
         button->setToolTip(tip);
+        button->setAccessibleName(tip);
         button->setAutoRaise(true);
         layout->addWidget(button);
         return button;
@@ -56,6 +57,7 @@ SectionPanel::SectionPanel(QWidget* parent)
     m_slider->setRange(0, steps);
     m_slider->setMinimumWidth(150);
     m_slider->setToolTip(tr("Moves the plane"));
+    m_slider->setAccessibleName(tr("Place of the section"));
     layout->addWidget(m_slider, 1);
     m_value->setMinimumWidth(m_value->fontMetrics().horizontalAdvance(QStringLiteral("-888 88/88\u2033")));
     m_value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
