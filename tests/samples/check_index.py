@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The index of the samples names every sample, in both languages, and each has its credit. Nothing in a sample has the
+"""The index of the samples names every sample in all languages of the program, and each has its credit. Nothing in a sample has the
 name of something else.
 
     check_index.py SAMPLES_FOLDER
@@ -8,6 +8,10 @@ name of something else.
 import json
 import sys
 from pathlib import Path
+
+
+# As QLocale names them: without the country.
+LANGUAGES = ("de", "es", "fr", "it", "ja", "pl", "zh")
 
 
 def check_names(path):
@@ -24,7 +28,7 @@ def main():
     present = {str(path.relative_to(folder)) for path in folder.glob("*/*.json")}
     assert listed == present, listed ^ present
     for entry in index:
-        for texts in (entry, entry["de"]):
+        for texts in (entry, *(entry[language] for language in LANGUAGES)):
             assert texts["title"] and texts["description"], entry
         check_names(folder / entry["file"])
         assert (folder / entry["file"]).with_name("CREDIT.md").is_file(), entry["file"]
