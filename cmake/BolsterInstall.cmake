@@ -46,6 +46,11 @@ install(FILES LICENSE README.md ARCHITECTURE.md CONTRIBUTING.md DESTINATION "${b
 install(DIRECTORY docs DESTINATION "${bolster_documents}" COMPONENT documents
     PATTERN manual EXCLUDE
     PATTERN "make-*" EXCLUDE)
+# The manual as HTML pages and a PDF, for who asks for it; what it needs is not needed to build the program.
+add_custom_target(manual_book
+    COMMAND "${PROJECT_SOURCE_DIR}/docs/manual/make-book" "${PROJECT_BINARY_DIR}/book"
+    COMMENT "Writing the manual as a book" VERBATIM)
+install(DIRECTORY "${PROJECT_BINARY_DIR}/book/" DESTINATION "${bolster_documents}/book" COMPONENT documents OPTIONAL)
 # The program opens the manual, so it does not lie among documents, which may be left out; links lead there.
 install(DIRECTORY docs/manual/ DESTINATION "${CMAKE_INSTALL_DATADIR}/bolster/manual" COMPONENT samples
     PATTERN "make-*" EXCLUDE)
