@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -57,6 +58,13 @@ const ToleranceKind kinds[] = {
      QT_TRANSLATE_NOOP("SweepWindow", "Each piece shrinks or stretches by so much"),
      QT_TRANSLATE_NOOP("SweepWindow", "Shrinkage of %1"), true, 0, &sizeTolerances},
 };
+
+/// What the table says, in the user's language: its words are in a context without a namespace, which tr() would
+/// not find.
+QString tableWords(const char* text)
+{
+    return QCoreApplication::translate("SweepWindow", text);
+}
 
 constexpr int usualSamples = 100;
 constexpr double usualLimit = 3; // mm
@@ -167,10 +175,10 @@ QWidget* SweepWindow::buildTolerances()
         auto* spread =
             new NumberBox({kind.percent ? tr(" %") : millimetreSuffix, 2, 0, 50, 0.5, !kind.percent}, box);
         spread->display(kind.usual);
-        spread->setToolTip(tr(kind.tip));
-        auto* label = new QLabel(tr(kind.label), box);
+        spread->setToolTip(tableWords(kind.tip));
+        auto* label = new QLabel(tableWords(kind.label), box);
         label->setBuddy(spread);
-        label->setToolTip(tr(kind.tip));
+        label->setToolTip(tableWords(kind.tip));
         const int row = place / 3, column = 2 * (place % 3);
         grid->addWidget(label, row, column);
         grid->addWidget(spread, row, column + 1);
@@ -211,7 +219,7 @@ void SweepWindow::addTolerances(Tolerances& tolerances)
         if (!(m_spreads[k]->value() > 0))
             continue;
         for (Tolerance& one : kinds[k].make(m_start, m_spreads[k]->value())) {
-            m_titles.push_back(tr(kinds[k].row).arg(namesOf(m_start, one)) + axisText(one));
+            m_titles.push_back(tableWords(kinds[k].row).arg(namesOf(m_start, one)) + axisText(one));
             tolerances.all.push_back(std::move(one));
         }
     }
