@@ -68,9 +68,9 @@ class Manual:
                 self.say(f"{page.name} has more than {LONGEST} lines")
             if not re.match(r"# ", text):
                 self.say(f"{page.name} does not begin with a heading")
-        for picture in sorted(self.folder.glob("pictures/*")):
-            if f"pictures/{picture.name}" not in used:
-                self.say(f"no page shows pictures/{picture.name}")
+        for picture in sorted([*self.folder.glob("pictures/*"), *self.folder.glob("screens/*")]):
+            if (name := picture.relative_to(self.folder).as_posix()) not in used:
+                self.say(f"no page shows {name}")
         linked = {target.split("#")[0] for page in self.pages
                   for target in re.findall(r"\]\(([\w-]+\.md[^)]*)\)", page.read_text(encoding="utf-8"))}
         for page in self.pages:
