@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>Über den Bezug ziehen, um den Bereich zu malen; mit gedrückter Umschalttaste wegnehmen. + und − ändern den Pinsel. Esc beendet.</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5788,6 +5795,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>„%1“, wo ein portables Bolster Einstellungen und Arbeit ablegt, lässt sich nicht schreiben; kopieren Sie den Ordner von Bolster dorthin, wo Sie schreiben dürfen</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>der Datenträger mit „%1“ ist voll; schaffen Sie Platz und ändern Sie noch eine Einstellung: dann werden alle aufbewahrt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>„%1“ konnte nicht geschrieben werden; geben Sie sich dort und in seinem Ordner Schreibrecht und ändern Sie noch eine Einstellung: dann werden alle aufbewahrt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>„%1“ steht dort zweimal; entfernen Sie eine der Zeilen aus der Datei oder exportieren Sie sie neu</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6231,6 +6250,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>Einheiten, Sprache, Farbschema, Maus, Tasten und mehr</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>Die Einstellungen konnten nicht gespeichert werden: sie gelten nur, bis Bolster geschlossen wird.</translation>
     </message>
 </context>
 <context>
@@ -7873,6 +7896,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>N&amp;ur in einem gemalten Bereich</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>Form und Grenze der Dehnung zählen nur dort</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>In der 3D-Ansicht über den Bezug ziehen; mit gedrückter Umschalttaste nimmt es weg</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radius des Pinsels</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>Gemalter Bereich</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8020,6 +8078,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>Einen solchen Befehl gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9358,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>Ohne das Weggelassene &amp;machen</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>Wohin der Fadenlauf auf der Form zeigt</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>nach hinten</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>zur Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>Faden&amp;lauf</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>Eine Form wird abgewickelt …</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>Es wurde angehalten. Ändern Sie, wie sie geschnitten wird, oder wählen Sie die Form noch einmal, um sie abzuwickeln.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10264,6 +10354,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>Neben der gewünschten Fläche: %1 vorher, %2 jetzt</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Nahtenden</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Wo Nähte und Befestigungen auf glatten Kanten enden</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Mehrweite</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Die Seiten von Nähten dürfen verschieden lang werden; das ist dann die gewünschte Mehrweite</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnbarkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Steifigkeit der Stoffe, und wie sehr sie sich quer zum Zug zusammenziehen</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Malen Sie den Bereich in der 3D-Ansicht, oder nehmen Sie das Häkchen weg.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10380,6 +10498,10 @@
     <message>
         <source>In the pattern</source>
         <translation>Im Schnitt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>„%1“ ist auf diesem Rechner kein Ordner: der Ordner Ihrer Stoffe bleibt, wie er war.</translation>
     </message>
 </context>
 <context>
@@ -10978,6 +11100,10 @@
     <message>
         <source>Close the section</source>
         <translation>Schnittebene schließen</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Lage der Schnittebene</translation>
     </message>
 </context>
 <context>

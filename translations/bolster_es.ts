@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>Arrastre sobre la funda para pintar la zona; con Mayús pulsada, para quitar. + y − cambian el pincel. Esc termina.</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5788,6 +5795,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>«%1», donde un Bolster portátil guarda los ajustes y el trabajo, no se puede escribir; copie la carpeta de Bolster a un lugar donde pueda escribir</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>el disco con «%1» está lleno; libere espacio y cambie otra vez un ajuste: entonces se conservan todos</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>no se pudo escribir «%1»; concédase el derecho de escribir ahí y en su carpeta y cambie otra vez un ajuste: entonces se conservan todos</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>«%1» aparece ahí dos veces; quite una de las líneas del archivo o expórtelo de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6231,6 +6250,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>Unidades, idioma, tema, ratón, teclas y más</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>No se pudieron guardar las preferencias: valen solo hasta que se cierre Bolster.</translation>
     </message>
 </context>
 <context>
@@ -7873,6 +7896,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>&amp;Solo en una zona pintada</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Pintar</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>La forma y el límite de deformación cuentan solo ahí</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>Arrastre sobre la funda en la vista 3D; con Mayús pulsada quita</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radio del pincel</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>Zona pintada</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8020,6 +8078,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>No existe tal comando.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandos</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9358,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Hacerlo sin lo omitido</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>Por dónde va el hilo en la forma</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>hacia arriba</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>hacia atrás</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>hacia el lado</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>&amp;Hilo</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>Aplanando una forma…</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>Se detuvo. Cambie cómo se corta o elija de nuevo la forma para aplanarla.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10264,6 +10354,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>Respecto al área deseada: antes %1, ahora %2</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Extremos</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Dónde terminan costuras y fijaciones en bordes lisos</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Embebido</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Los lados de las costuras pueden llegar a tener longitud distinta; ese es entonces el embebido deseado</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Elasticidad</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Rigidez de las telas, y cuánto se contraen de través a la tracción</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Pinte la zona en la vista 3D o quite la marca.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10380,6 +10498,10 @@
     <message>
         <source>In the pattern</source>
         <translation>En el patrón</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>«%1» no es una carpeta de este equipo: la carpeta de sus telas queda como estaba.</translation>
     </message>
 </context>
 <context>
@@ -10978,6 +11100,10 @@
     <message>
         <source>Close the section</source>
         <translation>Cerrar la sección</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Posición de la sección</translation>
     </message>
 </context>
 <context>

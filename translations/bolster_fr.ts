@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>Glissez sur le revêtement pour peindre la zone ; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5788,6 +5795,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>impossible d’écrire «&#x202f;%1&#x202f;», où un Bolster portable garde réglages et travail&#x202f;; copiez son dossier là où vous avez le droit d’écrire</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>le disque de « %1 » est plein ; faites-y de la place et changez encore un réglage : tous sont alors conservés</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>« %1 » n’a pas pu être écrit ; donnez-vous le droit d’y écrire ainsi que dans son dossier, puis changez encore un réglage : tous sont alors conservés</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>« %1 » y figure deux fois ; supprimez l’une des lignes du fichier, ou exportez-le à nouveau</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6231,6 +6250,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>Unités, langue, thème, souris, touches, etc.</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>Les préférences n’ont pas pu être enregistrées : elles ne valent que jusqu’à la fermeture de Bolster.</translation>
     </message>
 </context>
 <context>
@@ -7873,6 +7896,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>&amp;Seulement dans une zone peinte</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Peindre</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>La forme et la limite d’étirement ne comptent que là</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>Glissez sur le revêtement dans la vue 3D ; avec Maj enfoncée, cela retire</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Rayon du pinceau</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>Zone peinte</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8020,6 +8078,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>Cette commande n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9358,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Faire sans ce qui est omis</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>Où va le droit-fil sur la forme</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>vers le haut</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>vers l’arrière</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>de côté</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>&amp;Droit-fil</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>Mise à plat d’une forme…</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>Arrêté. Changez la façon de couper ou choisissez à nouveau la forme pour la mettre à plat.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10264,6 +10354,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>Écart à l’aire voulue&#x202f;: %1 avant, %2 maintenant</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Bouts de coutures</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Où les coutures et les fixations finissent sur des bords lisses</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Embu</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Les côtés des coutures peuvent devenir de longueurs différentes ; c’est alors l’embu voulu</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Élasticité</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Rigidité des tissus, et combien ils se contractent en travers d’une traction</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Peignez la zone dans la vue 3D, ou décochez-la.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10380,6 +10498,10 @@
     <message>
         <source>In the pattern</source>
         <translation>Dans le patron</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>« %1 » n’est pas un dossier de cette machine : le dossier de vos tissus reste inchangé.</translation>
     </message>
 </context>
 <context>
@@ -10978,6 +11100,10 @@
     <message>
         <source>Close the section</source>
         <translation>Fermer le plan de coupe</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Position du plan de coupe</translation>
     </message>
 </context>
 <context>

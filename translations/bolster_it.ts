@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>Trascina sul rivestimento per dipingere la zona; con Maiusc premuto per togliere. + e − cambiano il pennello. Esc termina.</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5788,6 +5795,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>«%1», dove un Bolster portatile conserva impostazioni e lavoro, non può essere scritto; copiare la cartella di Bolster dove è consentito scrivere</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>il disco con «%1» è pieno; libera spazio e cambia ancora un’impostazione: allora vengono conservate tutte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>non è stato possibile scrivere «%1»; concediti il diritto di scrivere lì e nella sua cartella e cambia ancora un’impostazione: allora vengono conservate tutte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>«%1» vi compare due volte; togli una delle righe dal file o esportalo di nuovo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6231,6 +6250,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>Unità, lingua, tema, mouse, tasti e altro</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>Non è stato possibile salvare le preferenze: valgono solo finché Bolster resta aperto.</translation>
     </message>
 </context>
 <context>
@@ -7873,6 +7896,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>So&amp;lo in una zona dipinta</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Dipingi</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Cancella</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>La forma e il limite di deformazione contano solo lì</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>Trascina sul rivestimento nella vista 3D; con Maiusc premuto toglie</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Raggio del pennello</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>Zona dipinta</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8020,6 +8078,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>Questo comando non esiste.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandi</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9358,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Crea senza ciò che è omesso</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>Dove corre il drittofilo sulla forma</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>verso l’alto</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>verso dietro</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>di lato</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>&amp;Drittofilo</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>Stesura in piano di una forma…</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>Interrotto. Cambia come viene tagliata o scegli di nuovo la forma per stenderla.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10264,6 +10354,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>Dall’area voluta: %1 prima, %2 ora</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Estremi cuciture</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Dove cuciture e fissaggi finiscono su bordi lisci</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Lentezza</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>I lati delle cuciture possono diventare di lunghezza diversa; questa è poi la lentezza voluta</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Elasticità</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Rigidezza dei tessuti, e quanto si contraggono di traverso alla trazione</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Dipingi la zona nella vista 3D o togli la spunta.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10380,6 +10498,10 @@
     <message>
         <source>In the pattern</source>
         <translation>Nel cartamodello</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>«%1» non è una cartella di questo computer: la cartella dei tuoi tessuti resta com’era.</translation>
     </message>
 </context>
 <context>
@@ -10978,6 +11100,10 @@
     <message>
         <source>Close the section</source>
         <translation>Chiudi la sezione</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Posizione della sezione</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>カバーの上をドラッグして範囲を塗ります。Shift を押しながらで消します。+ と − でブラシを変えます。Esc で終わります。</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5784,6 +5791,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>ポータブル版 Bolster が設定と作業を保存する「%1」に書き込めません。フォルダーを書き込み可能な場所へコピーしてください</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>「%1」のあるディスクがいっぱいです。空きを作り、設定をもう一度変えると、すべて保存されます</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>「%1」に書き込めませんでした。そのファイルとフォルダーへの書き込みを許可し、設定をもう一度変えると、すべて保存されます</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>「%1」が 2 回あります。ファイルから 1 行を消すか、もう一度書き出してください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6227,6 +6246,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>単位、言語、テーマ、マウス、キーなど</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>環境設定を保存できませんでした。Bolster を閉じるまでだけ有効です。</translation>
     </message>
 </context>
 <context>
@@ -7868,6 +7891,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>塗った範囲だけ(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>塗る</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>形状とひずみの上限はそこでだけ働きます</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>3D ビューでカバーの上をドラッグします。Shift を押しながらで消します</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>ブラシの半径</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>塗った範囲</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8014,6 +8072,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>該当するコマンドはありません。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
     </message>
 </context>
 <context>
@@ -9272,6 +9334,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>除外したもの以外で作成(&amp;M)</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>形状の上での地の目の向き</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>後ろへ</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>横へ</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>地の目(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>形状を平らに展開しています…</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>停止しました。切り方を変えるか形状を選び直すと、平らに展開します。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10234,6 +10324,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>目標の面積との差: 変更前 %1、現在 %2</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>縫い目の端</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>縫い目と固定が滑らかな縁で終わる位置</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>いせ</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>縫い目の両側の長さが違ってもよく、その差が目標のいせになります</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>伸び</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>生地の剛性と、引いたときに横へ縮む度合い</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>3D ビューで範囲を塗るか、チェックを外してください。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10349,6 +10467,10 @@
     <message>
         <source>In the pattern</source>
         <translation>型紙上</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>「%1」はこのコンピューターのフォルダーではありません。生地のフォルダーは元のままです。</translation>
     </message>
 </context>
 <context>
@@ -10947,6 +11069,10 @@
     <message>
         <source>Close the section</source>
         <translation>断面を閉じる</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>断面の位置</translation>
     </message>
 </context>
 <context>

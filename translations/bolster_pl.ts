@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>Przeciągnij po pokrowcu, aby pomalować obszar; z wciśniętym Shift – aby odjąć. + i − zmieniają pędzel. Esc kończy.</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5792,6 +5799,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>nie można zapisywać w „%1”, gdzie przenośny Bolster trzyma ustawienia i pracę; skopiuj jego folder tam, gdzie wolno Ci zapisywać</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>dysk z „%1” jest pełny; zwolnij miejsce i zmień jeszcze jedno ustawienie: wtedy wszystkie zostaną zachowane</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>nie można zapisać „%1”; nadaj sobie prawo zapisu tam i w tym folderze i zmień jeszcze jedno ustawienie: wtedy wszystkie zostaną zachowane</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>„%1” występuje tam dwa razy; usuń jeden z wierszy z pliku albo wyeksportuj go ponownie</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6235,6 +6254,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>Jednostki, język, motyw, mysz, klawisze i inne</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>Nie można zapisać preferencji: obowiązują tylko do zamknięcia programu Bolster.</translation>
     </message>
 </context>
 <context>
@@ -7878,6 +7901,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>T&amp;ylko w pomalowanym obszarze</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Maluj</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Wyczyść</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>Forma i granica odkształcenia liczą się tylko tam</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>Przeciągnij po pokrowcu w widoku 3D; z wciśniętym Shift odejmuje</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Promień pędzla</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>Pomalowany obszar</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8026,6 +8084,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>Nie ma takiego polecenia.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Polecenia</translation>
     </message>
 </context>
 <context>
@@ -9320,6 +9382,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Utwórz bez pominiętego</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>Jak biegnie kierunek nitki na formie</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>w górę</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>do tyłu</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>w bok</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>Kierunek &amp;nitki</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>Rozkładanie formy na płasko…</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>Zatrzymano. Zmień sposób cięcia albo wybierz formę ponownie, aby ją rozłożyć.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10294,6 +10384,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>Odchyłka od żądanej powierzchni: %1 przedtem, %2 teraz</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Końce szwów</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Gdzie szwy i mocowania kończą się na gładkich krawędziach</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Wdanie</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Boki szwów mogą stać się różnej długości; to jest wtedy żądane wdanie</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Rozciągliwość</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Sztywność materiałów i to, jak kurczą się w poprzek naciągu</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Pomaluj obszar w widoku 3D albo odznacz go.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10411,6 +10529,10 @@
     <message>
         <source>In the pattern</source>
         <translation>W wykroju</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>„%1” nie jest folderem na tym komputerze: folder materiałów pozostaje bez zmian.</translation>
     </message>
 </context>
 <context>
@@ -11009,6 +11131,10 @@
     <message>
         <source>Close the section</source>
         <translation>Zamknij przekrój</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Położenie przekroju</translation>
     </message>
 </context>
 <context>

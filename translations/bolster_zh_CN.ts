@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>AreaBrushTool</name>
+    <message>
+        <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
+        <translation>在面套上拖动以涂出区域；按住 Shift 则擦除。+ 和 − 改变画笔。Esc 结束。</translation>
+    </message>
+</context>
+<context>
     <name>Ask</name>
     <message>
         <source>Bolster</source>
@@ -5784,6 +5791,18 @@
         <source>&quot;%1&quot;, where a portable Bolster keeps settings and work, cannot be written; copy its folder to where you may write</source>
         <translation>便携版 Bolster 用于保存设置和工作的“%1”无法写入；请将其文件夹复制到有写入权限的位置</translation>
     </message>
+    <message>
+        <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
+        <translation>“%1”所在的磁盘已满；请腾出空间，再更改一项设置：届时全部保存</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
+        <translation>无法写入“%1”；请取得该文件及其文件夹的写入权限，再更改一项设置：届时全部保存</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
+        <translation>“%1”在其中出现两次；请从文件中删去一行，或重新导出</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6227,6 +6246,10 @@
     <message>
         <source>Units, language, theme, mouse, keys and more</source>
         <translation>单位、语言、主题、鼠标、按键等</translation>
+    </message>
+    <message>
+        <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
+        <translation>无法保存首选项：只在关闭 Bolster 之前有效。</translation>
     </message>
 </context>
 <context>
@@ -7868,6 +7891,41 @@
     </message>
 </context>
 <context>
+    <name>bolster::AreaRow</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y in a painted area</source>
+        <translation>仅在涂出的区域(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>涂抹</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>The form and the limit of strain count only there</source>
+        <translation>形体和应变上限只在那里起作用</translation>
+    </message>
+    <message>
+        <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
+        <translation>在三维视图中的面套上拖动；按住 Shift 则擦除</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Painted area</source>
+        <translation>涂出的区域</translation>
+    </message>
+</context>
+<context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
@@ -8014,6 +8072,10 @@
     <message>
         <source>There is no such command.</source>
         <translation>没有这样的命令。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
     </message>
 </context>
 <context>
@@ -9272,6 +9334,34 @@
         <source>&amp;Make it without what is left out</source>
         <translation>不含略去部分生成(&amp;M)</translation>
     </message>
+    <message>
+        <source>Where the grain line runs on the form</source>
+        <translation>布纹线在形体上的走向</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>向上</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>向后</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>横向</translation>
+    </message>
+    <message>
+        <source>&amp;Grain runs</source>
+        <translation>布纹走向(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Laying a form flat …</source>
+        <translation>正在展平形体…</translation>
+    </message>
+    <message>
+        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
+        <translation>已停止。更改切分方式或重新选择形体，即可展平。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10234,6 +10324,34 @@
         <source>Off the area that is wanted: %1 before, %2 now</source>
         <translation>与目标面积相差：之前 %1，现在 %2</translation>
     </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>接缝端点</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>接缝和固定在平滑边上的端点位置</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>吃势</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>接缝两侧长度可以变得不同；差值即为所需吃势</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>弹性</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>面料的刚度，以及受拉时横向收缩多少</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>请在三维视图中涂出区域，或取消勾选。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10349,6 +10467,10 @@
     <message>
         <source>In the pattern</source>
         <translation>样板中</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
+        <translation>“%1”不是本机上的文件夹：面料文件夹保持不变。</translation>
     </message>
 </context>
 <context>
@@ -10947,6 +11069,10 @@
     <message>
         <source>Close the section</source>
         <translation>关闭剖面</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>剖面位置</translation>
     </message>
 </context>
 <context>
