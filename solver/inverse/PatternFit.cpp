@@ -27,7 +27,7 @@ constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 3;
 constexpr double sprang = 1.5; // times the cost that the last round had: the cover has come to rest elsewhere
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
-constexpr double leastEffect = 1e-7;                // of a freedom, against the strongest one
+constexpr double leastEffect = 1e-7;                            // of a freedom, against the strongest one
 
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
 std::vector<double> edgesFor(const Design& design)
