@@ -1,5 +1,6 @@
 #include "Sweep.h"
 
+#include "CoverMove.h"
 #include "CoverTeam.h"
 #include "SurfaceMeasures.h"
 
@@ -71,12 +72,26 @@ struct Sweep::Team {
         const Eigen::Matrix3Xd& home = cover.home().positions;
         const std::vector<std::uint32_t>& unknown = nominal.topology->unknown;
         std::vector<float> values(unknown.size());
-        for (std::size_t v = 0; v < unknown.size(); ++v) {
-            const Vec3 move = positions.col(unknown[v]) - home.col(unknown[v]);
-            // A thousandth of a millimetre: what comes after it depends on the processor.
-            values[v] = std::round(static_cast<float>(nominal.normals[v].cast<double>().dot(move)) * 1000) / 1000;
-        }
+        for (std::size_t v = 0; v < unknown.size(); ++v)
+            values[v] = alongNormal(nominal, v, positions.col(unknown[v]) - home.col(unknown[v]));
         return values;
+    }
+
+    /// The same of a cover on triangles of its own. Empty when the two have nothing in common.
+    static std::vector<float> outside(const SurfaceMesh& own, const SurfaceMesh& nominal)
+    {
+        const SurfaceMeshPtr there = moveBetween(own, nominal).from;
+        std::vector<float> values(there ? nominal.positions.size() : 0);
+        for (std::size_t v = 0; v < values.size(); ++v)
+            values[v] = alongNormal(nominal, v, there->positions[v] - nominal.positions[v]);
+        return values;
+    }
+
+private:
+    static float alongNormal(const SurfaceMesh& nominal, std::size_t v, const Vec3& move)
+    {
+        // A thousandth of a millimetre: what comes after it depends on the processor.
+        return std::round(static_cast<float>(nominal.normals[v].cast<double>().dot(move)) * 1000) / 1000;
     }
 };
 
@@ -84,6 +99,8 @@ Sweep::Sweep(const SolveInput& input, Tolerances tolerances, int threads, const 
              double edgeLength)
     : m_tolerances(std::move(tolerances))
     , m_design(input.design)
+    , m_files(input.files)
+    , m_edgeLength(edgeLength)
     , m_team(std::make_unique<Team>(CoverTeam(input, {.edgeLength = edgeLength}, threads, stop)))
 {
     if (m_team->covers.problem().empty() && !stop.stop_requested())
@@ -134,13 +151,27 @@ std::vector<SweepSample> Sweep::solve(std::uint64_t first, int count, const std:
         SweepSample& sample = samples[static_cast<std::size_t>(k)];
         sample.number = first + static_cast<std::uint64_t>(k);
         const Design design = sampleDesign(m_design, m_tolerances, sampleOf(m_tolerances, sample.number));
-        if (stop.stop_requested() || !cover.follow(design, stop))
+        if (stop.stop_requested())
             return;
-        sample.outside = m_team->outside(cover, *m_nominal);
-        sample.strain = measureSurface(cover.sheet(), cover.state()).strain.p99;
+        if (cover.follow(design, stop)) {
+            sample.outside = m_team->outside(cover, *m_nominal);
+            sample.strain = measureSurface(cover.sheet(), cover.state()).strain.p99;
+        } else if (!stop.stop_requested()) {
+            solveAlone(design, sample, stop);
+        }
         summarise(sample);
     });
     return samples;
+}
+
+/// Where triangles cannot stay, or no cover is found from the nominal one.
+void Sweep::solveAlone(const Design& design, SweepSample& sample, const std::stop_token& stop) const
+{
+    const WarmCover alone({design, m_files}, {.edgeLength = m_edgeLength}, stop);
+    if (!alone.problem().empty() || stop.stop_requested())
+        return;
+    sample.outside = Team::outside(*alone.surface(), *m_nominal);
+    sample.strain = measureSurface(alone.sheet(), alone.state()).strain.p99;
 }
 
 std::vector<SurfaceMeshPtr> Sweep::covers(const std::vector<Eigen::VectorXd>& numbers, const std::stop_token& stop)

@@ -38,7 +38,8 @@ public:
     /// What each tolerance does to each vertex: mm outwards for the whole of its spread upwards, and downwards, in
     /// two columns: cloth that becomes slack does something else than cloth that becomes tight.
     Eigen::MatrixXf linear(const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
-    /// Covers at rest of samples `first` .. `first + count - 1`. Each follows from its number alone.
+    /// Covers at rest of samples `first` .. `first + count - 1`: from the nominal one on the same triangles, or
+    /// where that leads to none by themselves. Each follows from its number alone.
     std::vector<SweepSample> solve(std::uint64_t first, int count, const std::stop_token& stop = {});
     /// Covers at rest with these numbers of all tolerances; null where there is none.
     std::vector<SurfaceMeshPtr> covers(const std::vector<Eigen::VectorXd>& numbers,
@@ -47,8 +48,12 @@ public:
 private:
     struct Team;
 
+    void solveAlone(const Design& design, SweepSample& sample, const std::stop_token& stop) const;
+
     Tolerances m_tolerances;
     Design m_design;
+    DesignFiles m_files;
+    double m_edgeLength;
     std::unique_ptr<Team> m_team;
     SurfaceMeshPtr m_nominal;
 };

@@ -334,6 +334,20 @@ TEST_F(StartTest, JobsAreListedAndCanBeStopped)
     EXPECT_FALSE(window.docks().jobs->isVisible()) << "it came by itself";
 }
 
+/// What is worked at ends with what the window consists of, when its list of jobs is gone already.
+TEST_F(StartTest, AWindowGoesWithItsJobs)
+{
+    auto other = std::make_unique<MainWindow>();
+    other->show();
+    auto* worker = new QObject(other.get());
+    auto job = std::make_shared<RunningJob>("Writing seat.dxf", [] {});
+    QObject::connect(other.get(), &QObject::objectNameChanged, worker, [held = job] { Q_UNUSED(held); });
+    job.reset(); // only the worker has it now
+    ASSERT_TRUE(QTest::qWaitFor([&] { return other->docks().jobs->isVisible(); }, 10000));
+    other.reset();
+    EXPECT_TRUE(Jobs::all().running().isEmpty());
+}
+
 TEST_F(StartTest, TheTourLiesOverNoMenu)
 {
     QSettings().remove("tour/step");
