@@ -6,7 +6,7 @@ namespace bolster {
 
 namespace {
 
-constexpr double conflictDistance = 0.01; // mm between two targets of one vertex
+constexpr double conflictDistance = 1; // mm between two targets of one vertex: nobody sews more exactly
 
 /// How far along a stretch its k-th sample of `samples` lies.
 double fractionAlong(const OutlineSpan& span, const CutOutline& outline, const std::vector<double>& parameters,
@@ -87,7 +87,8 @@ std::vector<int> heldSamples(const OutlineSampling& sampling, const OutlineSampl
     return samples;
 }
 
-/// Two fixations may hold one vertex only in the same place.
+/// Two fixations may hold one vertex only in the same place, or nearly: what an outline that changed a little does
+/// to stretches that meet is no mistake. The last one counts.
 void findConflicts(OutlineSampling& sampling, const Design& design)
 {
     struct Held {

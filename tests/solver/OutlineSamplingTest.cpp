@@ -151,7 +151,7 @@ TEST(OutlineSampling, OneVertexCannotBeInTwoPlaces)
     DesignBuilder b(10);
     const ElementId patch = b.patch(rectangle(100, 50), b.fabric(0.3, 5));
     const ElementId first = b.fix({patch, 0, 1}, polyline({{0, 0, 0}, {100, 0, 0}}));
-    const ElementId second = b.fix({patch, 1, 2}, polyline({{100, 0, 0.5}, {100, 50, 0}}));
+    const ElementId second = b.fix({patch, 1, 2}, polyline({{100, 0, 1.5}, {100, 50, 0}}));
     const Problems problems = sampleOutlines(b.design()).problems;
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].element, second);
@@ -165,12 +165,12 @@ TEST(OutlineSampling, OneVertexCannotBeInTwoPlaces)
     }
 }
 
-TEST(OutlineSampling, TargetsThatMeetWithinAHundredthAreFine)
+TEST(OutlineSampling, TargetsThatMeetWithinAMillimetreAreFine)
 {
     DesignBuilder b(10);
     const ElementId patch = b.patch(rectangle(100, 50), b.fabric(0.3, 5));
     b.fix({patch, 0, 1}, polyline({{0, 0, 0}, {100, 0, 0}}));
-    b.fix({patch, 1, 2}, polyline({{100, 0, 0.009}, {100, 50, 0}}));
+    b.fix({patch, 1, 2}, polyline({{100, 0, 0.9}, {100, 50, 0}}));
     EXPECT_TRUE(sampleOutlines(b.design()).problems.empty());
 }
 
