@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Freedom.h"
+#include "PreparedSheet.h"
 #include "TestDesigns.h"
 
 namespace bolster::test {
