@@ -131,7 +131,7 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow()
 {
-    disconnect(qApp, nullptr, this, nullptr); // a dialog that goes with the window changes the focus
+    disconnect(qApp, nullptr, this, nullptr);         // a dialog that goes with the window changes the focus
     disconnect(&Jobs::all(), nullptr, this, nullptr); // jobs that go with it change the list
     hide(); // the views lose the keyboard by that, and end what they have begun: as long as there is what they use
 }
