@@ -89,7 +89,11 @@ std::vector<Vec3> evenly(const FormLine& line, double spacing)
 struct HeldEdges {
     const CgalMesh* mesh;
     const CgalMesh::Property_map<FormEdge, bool>* cut;
-    friend bool get(const HeldEdges& held, FormEdge e) { return (*held.cut)[e] || held.mesh->is_border(e); }
+    FormEdge goes = CgalMesh::null_edge(); ///< is to go, though it may lie at a border
+    friend bool get(const HeldEdges& held, FormEdge e)
+    {
+        return e != held.goes && ((*held.cut)[e] || held.mesh->is_border(e));
+    }
 };
 
 using Edge = std::pair<int, int>; // the lesser point first
@@ -423,7 +427,7 @@ private:
             const auto rank = [&](Vertex v) { return m_form.mesh.is_border(v) ? 2 : isOnLine(v) ? 1 : 0; };
             const Kernel::Point_3 at = m_form.mesh.point(rank(a) > rank(b) ? a : b);
             m_form.cut[e] = false;
-            m_form.mesh.point(CGAL::Euler::collapse_edge(e, m_form.mesh, HeldEdges{&m_form.mesh, &m_form.cut})) =
+            m_form.mesh.point(CGAL::Euler::collapse_edge(e, m_form.mesh, HeldEdges{&m_form.mesh, &m_form.cut, e})) =
                 at;
             any = true;
         }
