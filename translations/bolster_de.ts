@@ -11651,10 +11651,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n Stück hat keinen ruhenden Bezug auf denselben Dreiecken.</numerusform>
-            <numerusform>%n Stücke haben keinen ruhenden Bezug auf denselben Dreiecken.</numerusform>
+            <numerusform>%n Stück hat keinen ruhenden Bezug.</numerusform>
+            <numerusform>%n Stücke haben keinen ruhenden Bezug.</numerusform>
         </translation>
     </message>
     <message>

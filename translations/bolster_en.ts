@@ -293,10 +293,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n piece has no cover at rest on the same triangles.</numerusform>
-            <numerusform>%n pieces have no cover at rest on the same triangles.</numerusform>
+            <numerusform>%n piece has no cover at rest.</numerusform>
+            <numerusform>%n pieces have no cover at rest.</numerusform>
         </translation>
     </message>
 </context>

@@ -11651,10 +11651,10 @@ Lo que ve es donde estaba la tela al final.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n pieza no tiene ninguna funda en reposo sobre los mismos triángulos.</numerusform>
-            <numerusform>%n piezas no tienen ninguna funda en reposo sobre los mismos triángulos.</numerusform>
+            <numerusform>%n pieza no tiene ninguna funda en reposo.</numerusform>
+            <numerusform>%n piezas no tienen ninguna funda en reposo.</numerusform>
         </translation>
     </message>
     <message>

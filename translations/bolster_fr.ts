@@ -5,7 +5,7 @@
     <name>AreaBrushTool</name>
     <message>
         <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
-        <translation>Glissez sur le revêtement pour peindre la zone ; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
+        <translation>Glissez sur la housse pour peindre la zone ; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
     </message>
 </context>
 <context>
@@ -7919,7 +7919,7 @@
     </message>
     <message>
         <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
-        <translation>Glissez sur le revêtement dans la vue 3D ; avec Maj enfoncée, cela retire</translation>
+        <translation>Glissez sur la housse dans la vue 3D ; avec Maj enfoncée, cela retire</translation>
     </message>
     <message>
         <source>Radius of the brush</source>
@@ -11651,10 +11651,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n exemplaire n’a pas de housse stable sur les mêmes triangles.</numerusform>
-            <numerusform>%n exemplaires n’ont pas de housse stable sur les mêmes triangles.</numerusform>
+            <numerusform>%n exemplaire n’a pas de housse stable.</numerusform>
+            <numerusform>%n exemplaires n’ont pas de housse stable.</numerusform>
         </translation>
     </message>
     <message>

@@ -11651,10 +11651,10 @@ Si vede il tessuto com’era alla fine.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n pezzo non ha un rivestimento a riposo sugli stessi triangoli.</numerusform>
-            <numerusform>%n pezzi non hanno un rivestimento a riposo sugli stessi triangoli.</numerusform>
+            <numerusform>%n pezzo non ha un rivestimento a riposo.</numerusform>
+            <numerusform>%n pezzi non hanno un rivestimento a riposo.</numerusform>
         </translation>
     </message>
     <message>

@@ -11617,9 +11617,9 @@ What you see is where the cloth was at the end.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n 個の個体には、同じ三角形で静止したカバーがありません。</numerusform>
+            <numerusform>%n 個の個体には、静止したカバーがありません。</numerusform>
         </translation>
     </message>
     <message>

@@ -11685,11 +11685,11 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n sztuka nie ma pokrowca w spoczynku na tych samych trójkątach.</numerusform>
-            <numerusform>%n sztuki nie mają pokrowca w spoczynku na tych samych trójkątach.</numerusform>
-            <numerusform>%n sztuk nie ma pokrowca w spoczynku na tych samych trójkątach.</numerusform>
+            <numerusform>%n sztuka nie ma pokrowca w spoczynku.</numerusform>
+            <numerusform>%n sztuki nie mają pokrowca w spoczynku.</numerusform>
+            <numerusform>%n sztuk nie ma pokrowca w spoczynku.</numerusform>
         </translation>
     </message>
     <message>

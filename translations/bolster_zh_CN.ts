@@ -11617,9 +11617,9 @@ What you see is where the cloth was at the end.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces have no cover at rest on the same triangles.</source>
+        <source>%n pieces have no cover at rest.</source>
         <translation>
-            <numerusform>%n 个样件在相同三角形上没有静止的面套。</numerusform>
+            <numerusform>%n 个样件没有静止的面套。</numerusform>
         </translation>
     </message>
     <message>

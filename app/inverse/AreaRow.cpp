@@ -96,7 +96,7 @@ AreaRow::~AreaRow()
 {
     if (m_parts.cover.tool() == CoverToolKind::PaintArea)
         m_parts.cover.setTool(CoverToolKind::Select);
-    if (!m_spots.empty())
+    if (m_seen)
         m_parts.maps.setGuest(nullptr);
 }
 
@@ -118,7 +118,7 @@ void AreaRow::paint()
             row->take(stamp);
     });
     m_paint->setChecked(true);
-    showArea();
+    refresh();
 }
 
 void AreaRow::take(const AreaBrushTool::Stamp& stamp)
@@ -137,30 +137,24 @@ void AreaRow::take(const AreaBrushTool::Stamp& stamp)
         m_spots.insert(m_spots.end(), under.begin(), under.end());
     }
     m_only->setChecked(true);
-    showArea();
     refresh();
 }
 
 void AreaRow::clear()
 {
     m_spots.clear();
-    showArea();
     refresh();
-}
-
-void AreaRow::showArea()
-{
-    const SurfaceMeshPtr surface = m_parts.solver.surface();
-    const bool seen = wanted() && surface && surface->positions.size() == surface->topology->pattern.size() &&
-                      (!m_spots.empty() || m_paint->isChecked());
-    m_parts.maps.setGuest(seen ? mapOf(m_spots, *surface, tr("Painted area")) : nullptr);
 }
 
 void AreaRow::refresh()
 {
     m_clear->setEnabled(!m_spots.empty());
-    if (m_only->isChecked() || !m_spots.empty())
-        showArea();
+    const SurfaceMeshPtr surface = m_parts.solver.surface();
+    const bool seen = wanted() && surface && surface->positions.size() == surface->topology->pattern.size() &&
+                      (!m_spots.empty() || m_paint->isChecked());
+    if (seen || m_seen) // whose map is there otherwise is not ours to take away
+        m_parts.maps.setGuest(seen ? mapOf(m_spots, *surface, tr("Painted area")) : nullptr);
+    m_seen = seen;
 }
 
 } // namespace bolster

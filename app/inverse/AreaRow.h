@@ -37,7 +37,6 @@ private:
     void paint();
     void take(const AreaBrushTool::Stamp& stamp);
     void clear();
-    void showArea();
     void refresh();
 
     Parts m_parts;
@@ -45,6 +44,7 @@ private:
     QPushButton *m_paint, *m_clear;
     NumberBox* m_radius;
     std::vector<AreaSpot> m_spots;
+    bool m_seen = false; ///< in colours
 };
 
 } // namespace bolster

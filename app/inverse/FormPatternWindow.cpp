@@ -256,7 +256,7 @@ Fabric FormPatternWindow::fabric() const
 
 FormGrain FormPatternWindow::grain() const
 {
-    const std::array<FormGrain, 3> ways{{{}, {Vec3::UnitY(), 90}, {Vec3::UnitX(), 0}}};
+    const std::array ways{FormGrain::up(), FormGrain::back(), FormGrain::side()};
     return ways.at(static_cast<std::size_t>(std::max(0, m_grain->currentIndex())));
 }
 

@@ -21,7 +21,7 @@ struct SweepFound {
     std::vector<double> influence; ///< of each tolerance, as shares of the variance
     std::vector<double> mostMoved; ///< mm: how far each moves the cover anywhere
     int solved = 0;                ///< pieces by which p95 is known; 0: linear covers
-    int resting = 0;               ///< of them, that came to rest on the same triangles
+    int resting = 0;               ///< of them, that came to rest
     int out = 0;                   ///< pieces out of the limit, of the solved ones or of all linear ones
     bool whole = false;            ///< there is nothing more to come
 

@@ -296,8 +296,7 @@ void SweepWindow::say()
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
     if (m_found->resting < m_found->solved)
-        lines << tr("%n pieces have no cover at rest on the same triangles.", nullptr,
-                    m_found->solved - m_found->resting);
+        lines << tr("%n pieces have no cover at rest.", nullptr, m_found->solved - m_found->resting);
     m_said->setText(lines.join('\n'));
 }
 

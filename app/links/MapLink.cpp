@@ -161,6 +161,10 @@ void MapLink::carryGuest()
     m_guestHere.reset();
     if (!m_guest || !m_surface)
         return;
+    if (m_guest->fits(*m_surface->topology)) {
+        m_guestHere = m_guest;
+        return;
+    }
     const SurfaceTopology &from = *m_guest->topology, &to = *m_surface->topology;
     auto map = std::make_shared<ShownMap>(*m_guest);
     map->topology = m_surface->topology;

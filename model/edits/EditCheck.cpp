@@ -4,6 +4,7 @@
 #include "DesignCheck.h"
 #include "EditHelpers.h"
 #include "ElementRules.h"
+#include "ElementStretches.h"
 
 #include <algorithm>
 
@@ -127,20 +128,6 @@ bool vanishes(const Design& design, const Stretch& stretch)
             return false;
     }
     return true;
-}
-
-/// The stretches of a seam or fixation seam.
-std::vector<Stretch> stretchesOf(const Element& element)
-{
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return {seam->a, seam->b};
-    if (const auto* seam = std::get_if<FixationSeam>(&element))
-        return {seam->stretch};
-    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
-        return {trimmed->stretch};
-    if (const auto* allowance = std::get_if<EdgeAllowance>(&element))
-        return {allowance->stretch};
-    return {};
 }
 
 /// The element of the same sort that uses a part of the stretch, or noElement.

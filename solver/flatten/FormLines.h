@@ -9,21 +9,16 @@
 namespace bolster {
 
 /// Triangles with edges along lines.
-struct LinedTriangles {
+struct TriangleSoup {
     std::vector<Vec3> points;
     std::vector<std::array<int, 3>> triangles;
     std::vector<int> part;              ///< of each triangle
     std::set<std::pair<int, int>> cuts; ///< edges along lines, the lesser point first
-    std::vector<Message> notes;         ///< lines that end where nothing is
-    Message problem;                    ///< why no lines can be cut; the rest is empty then
 };
 
-/// Triangles while lines are cut into them.
-struct TriangleSoup {
-    std::vector<Vec3> points;
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<int> part;
-    std::set<std::pair<int, int>> cuts;
+struct LinedTriangles : TriangleSoup {
+    std::vector<Message> notes; ///< lines that end where nothing is
+    Message problem;            ///< why no lines can be cut; the rest is empty then
 };
 
 /// What a draft before was of, so that lines that stay where they are need not be cut again.

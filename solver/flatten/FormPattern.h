@@ -11,6 +11,10 @@ struct FormGrain {
     Vec3 along = Vec3::Zero(); ///< a direction on the form; zero: all as the angle says
     double angle = 90;         ///< degrees in the pattern, counter-clockwise, as pieces are turned when laid flat;
                                ///< also of pieces that the direction crosses
+
+    static FormGrain up() { return {}; } ///< as pieces are turned
+    static FormGrain back() { return {Vec3::UnitY(), 90}; }
+    static FormGrain side() { return {Vec3::UnitX(), 0}; }
 };
 
 struct FormPatternOrder {

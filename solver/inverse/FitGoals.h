@@ -49,6 +49,7 @@ struct FitArea {
     std::set<ElementId> patches;
     std::vector<AreaSpot> spots; ///< of the pattern as it was when they were painted
 
+    bool hasWhole(ElementId patch) const;
     bool hasAny(ElementId patch) const;
     bool has(ElementId patch, const Vec2& place) const;
 };

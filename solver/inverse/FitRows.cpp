@@ -1,8 +1,8 @@
 #include "FitRows.h"
 
-#include "ArcLength.h"
 #include "CoverStrains.h"
 #include "ScanMeasure.h"
+#include "StretchLength.h"
 #include "VertexAreas.h"
 
 #include <algorithm>
@@ -72,16 +72,6 @@ double cornerAngle(const BSpline2& outline, double corner)
     return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
 }
 
-double lengthOf(const Design& design, const Stretch& stretch)
-{
-    const auto* patch = design.find<Patch>(stretch.patch);
-    if (!patch)
-        return 0;
-    const BSpline2& outline = patch->outline;
-    const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
-    return ArcLength2(outline).between(stretch.from, end);
-}
-
 /// Triangles whose middles lie in an area.
 std::vector<std::uint32_t> trianglesIn(const SurfaceTopology& topology, const Design& design, const FitArea& area)
 {
@@ -139,22 +129,24 @@ FitTarget targetOf(const Scan& scan, const PointCloud& cloud)
 
 double seamDifference(const Design& design, const Seam& seam)
 {
-    return lengthOf(design, seam.b) - lengthOf(design, seam.a);
+    return stretchLength(design, seam.b) - stretchLength(design, seam.a);
+}
+
+bool FitArea::hasWhole(ElementId patch) const
+{
+    return (patches.empty() && spots.empty()) || patches.contains(patch);
 }
 
 bool FitArea::hasAny(ElementId patch) const
 {
-    const bool painted = std::ranges::find(spots, patch, &AreaSpot::patch) != spots.end();
-    return (patches.empty() && spots.empty()) || patches.contains(patch) || painted;
+    return hasWhole(patch) || std::ranges::find(spots, patch, &AreaSpot::patch) != spots.end();
 }
 
 bool FitArea::has(ElementId patch, const Vec2& place) const
 {
-    if ((patches.empty() && spots.empty()) || patches.contains(patch))
-        return true;
-    return std::ranges::any_of(spots, [&](const AreaSpot& spot) {
-        return spot.patch == patch && (spot.at - place).squaredNorm() <= spot.radius * spot.radius;
-    });
+    return hasWhole(patch) || std::ranges::any_of(spots, [&](const AreaSpot& spot) {
+               return spot.patch == patch && (spot.at - place).squaredNorm() <= spot.radius * spot.radius;
+           });
 }
 
 FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& design)
@@ -167,7 +159,7 @@ FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& des
     std::size_t k = 0;
     design.each<Seam>([&](ElementId, const Seam& seam) {
         const double now = differences[k++];
-        const bool meant = std::abs(now - seam.ease) <= meantEase * lengthOf(design, seam.a);
+        const bool meant = std::abs(now - seam.ease) <= meantEase * stretchLength(design, seam.a);
         if (!locks.ease)
             m_wanted.push_back({now, freeLength});
         else

@@ -1,11 +1,11 @@
 #include "SeamEnds.h"
 
 #include "ArcLength.h"
+#include "ElementStretches.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <type_traits>
+#include <variant>
 
 namespace bolster {
 
@@ -13,26 +13,11 @@ namespace {
 
 constexpr double samePlace = 1e-6; // of the period
 
-std::vector<const Stretch*> stretchesOf(const Element& element)
+/// Of what is sewn or fixed.
+std::vector<Stretch> sewnStretches(const Element& element)
 {
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return {&seam->a, &seam->b};
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return {&fixation->stretch};
-    return {};
-}
-
-/// The element with other stretches, in the order of stretchesOf; null when they are as they were.
-ElementPtr withStretches(const Element& element, const std::vector<Stretch>& stretches)
-{
-    Element copy = element;
-    if (auto* seam = std::get_if<Seam>(&copy)) {
-        seam->a = stretches[0];
-        seam->b = stretches[1];
-    } else if (auto* fixation = std::get_if<FixationSeam>(&copy)) {
-        fixation->stretch = stretches[0];
-    }
-    return copy == element ? nullptr : makeElement(std::move(copy));
+    const bool sewn = std::holds_alternative<Seam>(element) || std::holds_alternative<FixationSeam>(element);
+    return sewn ? stretchesOf(element) : std::vector<Stretch>();
 }
 
 /// Calls change(stretch) for all stretches of a design.
@@ -41,15 +26,12 @@ Design withChanged(const Design& design, const Change& change)
 {
     Edit edit;
     for (const auto& [id, element] : design.elements()) {
-        std::vector<Stretch> stretches;
-        for (const Stretch* stretch : stretchesOf(*element)) {
-            stretches.push_back(*stretch);
-            change(id, stretches.size() - 1, stretches.back());
-        }
-        if (stretches.empty())
-            continue;
-        if (ElementPtr changed = withStretches(*element, stretches))
-            edit.changes.push_back({id, element, std::move(changed)});
+        const std::vector<Stretch> before = sewnStretches(*element);
+        std::vector<Stretch> stretches = before;
+        for (std::size_t k = 0; k < stretches.size(); ++k)
+            change(id, k, stretches[k]);
+        if (stretches != before)
+            edit.changes.push_back({id, element, withStretches(*element, stretches)});
     }
     return edit.changes.empty() ? design : design.with(edit);
 }
@@ -80,11 +62,11 @@ std::vector<Place> placesOf(const Design& before, const Design& after, ElementId
         const ElementPtr other = after.element(id);
         if (!other)
             continue;
-        const std::vector<const Stretch*> from = stretchesOf(*element), to = stretchesOf(*other);
+        const std::vector<Stretch> from = sewnStretches(*element), to = sewnStretches(*other);
         for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k)
-            if (from[k]->patch == patch && to[k]->patch == patch) {
-                places.push_back({outline.wrapped(from[k]->from), outline.wrapped(to[k]->from)});
-                places.push_back({outline.wrapped(from[k]->to), outline.wrapped(to[k]->to)});
+            if (from[k].patch == patch && to[k].patch == patch) {
+                places.push_back({outline.wrapped(from[k].from), outline.wrapped(to[k].from)});
+                places.push_back({outline.wrapped(from[k].to), outline.wrapped(to[k].to)});
             }
     }
     std::ranges::sort(places, {}, &Place::from);
@@ -98,9 +80,9 @@ std::vector<double> seamEnds(const Design& design, ElementId patch)
     const BSpline2& outline = design.find<Patch>(patch)->outline;
     std::vector<double> ends;
     for (const auto& [id, element] : design.elements())
-        for (const Stretch* stretch : stretchesOf(*element))
-            if (stretch->patch == patch && !isSame(outline, stretch->from, stretch->to))
-                for (const double end : {stretch->from, stretch->to})
+        for (const Stretch& stretch : sewnStretches(*element))
+            if (stretch.patch == patch && !isSame(outline, stretch.from, stretch.to))
+                for (const double end : {stretch.from, stretch.to})
                     if (std::ranges::none_of(ends, [&](double known) { return isSame(outline, known, end); }))
                         ends.push_back(outline.wrapped(end));
     std::ranges::sort(ends);
@@ -136,9 +118,9 @@ Design withStretchesOf(const Design& design, const Design& other)
         const ElementPtr element = other.element(id);
         if (!element)
             return;
-        const std::vector<const Stretch*> stretches = stretchesOf(*element);
-        if (which < stretches.size() && stretches[which]->patch == stretch.patch)
-            stretch = *stretches[which];
+        const std::vector<Stretch> stretches = sewnStretches(*element);
+        if (which < stretches.size() && stretches[which].patch == stretch.patch)
+            stretch = stretches[which];
     });
 }
 

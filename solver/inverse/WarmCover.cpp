@@ -92,14 +92,15 @@ SolvePlan WarmCover::planFor(const SolveInput& input) const
 /// False when ends of seams have passed each other.
 bool WarmCover::slideSamples(const Design& design)
 {
-    std::vector<std::vector<double>> slid;
-    for (std::size_t o = 0; o < m_parameters.size(); ++o) {
-        const ElementId patch = m_sheet->sampling.outlines[o].patch;
-        std::optional<std::vector<double>> parameters = slidSamples(m_parameters[o], m_sampled, design, patch);
-        if (!parameters)
-            return false;
-        slid.push_back(std::move(*parameters));
-    }
+    std::vector<std::vector<double>> slid = m_parameters;
+    if (!(withStretchesOf(design, m_sampled) == design))
+        for (std::size_t o = 0; o < slid.size(); ++o) {
+            const ElementId patch = m_sheet->sampling.outlines[o].patch;
+            std::optional<std::vector<double>> parameters = slidSamples(m_parameters[o], m_sampled, design, patch);
+            if (!parameters)
+                return false;
+            slid[o] = std::move(*parameters);
+        }
     for (std::size_t o = 0; o < slid.size(); ++o)
         m_sheet->sampling.outlines[o].parameters = std::move(slid[o]);
     return true;

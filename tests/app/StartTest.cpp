@@ -46,6 +46,17 @@ protected:
         return to;
     }
 
+    /// As the program begins when no design is named.
+    void greetIn(MainWindow& started)
+    {
+        recentFiles::clear();
+        window.document().markSaved();
+        started.greet();
+        started.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&started));
+        waitUntilLaidOut();
+    }
+
     bool waitForOpened(const std::function<void()>& ask)
     {
         bool opened = false;
@@ -111,13 +122,8 @@ TEST_F(StartTest, ThePageLiesOverBothViewsUntilSomethingIsOpened)
 
 TEST_F(StartTest, WhatLiesBelowIsNeitherDrawnNorDressed)
 {
-    recentFiles::clear();
-    window.document().markSaved();
     MainWindow started;
-    started.greet();
-    started.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&started));
-    waitUntilLaidOut();
+    greetIn(started);
     waitForBackground();
     EXPECT_TRUE(started.startPage().geometry().contains(started.docks().cover->geometry()));
     EXPECT_TRUE(started.startPage().isAncestorOf(started.focusWidget())) << "keys go to the page";
@@ -136,13 +142,8 @@ TEST_F(StartTest, WhatLiesBelowIsNeitherDrawnNorDressed)
 
 TEST_F(StartTest, FabricsThatAreSeenBesideThePageAreDressed)
 {
-    recentFiles::clear();
-    window.document().markSaved();
     MainWindow started;
-    started.greet();
-    started.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&started));
-    waitUntilLaidOut();
+    greetIn(started);
     ASSERT_FALSE(started.fabricLink().begun());
     Docks::reveal(started.docks().fabrics);
     EXPECT_TRUE(QTest::qWaitFor([&] { return started.fabricLink().upToDate(); }, 60000));

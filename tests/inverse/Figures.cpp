@@ -336,7 +336,13 @@ void printDerivatives(const std::vector<Real>& covers, const Amount& amount)
     }
 }
 
-/// A bucket of about as many vertices: a seat that rises into a back and to both sides, mm.
+/// On a seat that rises into a back and to both sides, u to the right and v to the back, from -1 to 1; mm.
+Vec3 onBucket(double u, double v)
+{
+    return {260 * u, 280 * v, 160 * std::pow(std::max(0.0, v), 2) + 90 * u * u * u * u};
+}
+
+/// A bucket of about as many vertices.
 TriangleMesh bucket(int vertices)
 {
     const int side = static_cast<int>(std::sqrt(vertices)) - 1;
@@ -344,7 +350,7 @@ TriangleMesh bucket(int vertices)
     for (int row = 0; row <= side; ++row)
         for (int column = 0; column <= side; ++column) {
             const double u = 2.0 * column / side - 1, v = 2.0 * row / side - 1;
-            mesh.points.emplace_back(260 * u, 280 * v, 160 * std::pow(std::max(0.0, v), 2) + 90 * u * u * u * u);
+            mesh.points.push_back(onBucket(u, v));
         }
     const auto at = [&](int row, int column) { return static_cast<std::uint32_t>(row * (side + 1) + column); };
     for (int row = 0; row < side; ++row)
@@ -361,8 +367,7 @@ FormLine lineAcross(const char* name, double share, bool lengthways)
     FormLine line{name, {}, false};
     for (int k = 0; k <= 40; ++k) {
         const double u = 2.0 * k / 40 - 1, across = share + 0.05 * (1 - u * u);
-        const double x = lengthways ? across : u, y = lengthways ? u : across;
-        line.points.emplace_back(260 * x, 280 * y, 160 * std::pow(std::max(0.0, y), 2) + 90 * x * x * x * x);
+        line.points.push_back(lengthways ? onBucket(across, u) : onBucket(u, across));
     }
     return line;
 }

@@ -103,11 +103,11 @@ FormGrain grainOf(const Arguments& arguments)
 {
     const std::string word = arguments.path("--grain").toStdString();
     if (word.empty() || word == "up")
-        return {}; // pieces are turned so that up is up
+        return FormGrain::up();
     if (word == "back")
-        return {Vec3::UnitY()};
+        return FormGrain::back();
     if (word == "side")
-        return {Vec3::UnitX(), 0};
+        return FormGrain::side();
     bool ok = false;
     const double angle = QString::fromStdString(word).toDouble(&ok);
     if (!ok || !(std::abs(angle) <= 360))

@@ -207,7 +207,7 @@ private:
                         " pieces are out of limits");
             if (resting.size() < solved.size())
                 printError("warning: " + std::to_string(solved.size() - resting.size()) +
-                           " samples have no cover at rest on the same triangles");
+                           " samples have no cover at rest");
         }
         report["influence"] = influence();
         return report;

@@ -3,6 +3,7 @@
 
 #include "CuttingEdits.h"
 #include "EditBuilder.h"
+#include "ElementStretches.h"
 #include "ElementRules.h"
 #include "PatchMark.h"
 #include "SeamStretches.h"

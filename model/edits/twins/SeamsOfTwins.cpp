@@ -1,27 +1,12 @@
 #include "SeamsOfTwins.h"
 
+#include "ElementStretches.h"
 #include "SewnMirror.h"
 #include "Twins.h"
 
 namespace bolster::edits {
 
 namespace {
-
-ElementPtr withStretches(const Element& element, const std::vector<Stretch>& stretches)
-{
-    Element result = element;
-    if (auto* seam = std::get_if<Seam>(&result)) {
-        seam->a = stretches[0];
-        seam->b = stretches[1];
-    } else if (auto* fixation = std::get_if<FixationSeam>(&result)) {
-        fixation->stretch = stretches[0];
-    } else if (auto* trimmed = std::get_if<OutlineTrim>(&result)) {
-        trimmed->stretch = stretches[0];
-    } else if (auto* allowance = std::get_if<EdgeAllowance>(&result)) {
-        allowance->stretch = stretches[0];
-    }
-    return std::make_shared<const Element>(std::move(result));
-}
 
 /// Calls visit(id, stretches before, stretches now) for each seam that the edit has left in the design.
 template <class Visit>

@@ -1,5 +1,6 @@
 #include "SewnMirror.h"
 
+#include "ElementStretches.h"
 #include "TwinEdits.h"
 #include "Twins.h"
 
@@ -234,20 +235,6 @@ SewnMirror::Pairs heldPairs(const Design& design, const Design& other)
         return !design.find<FixationCurve>(pair.first) && (found == there.end() || found->second != pair.second);
     });
     return pairs;
-}
-
-std::vector<Stretch> stretchesOf(const Element& element)
-{
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return {seam->a, seam->b};
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return {fixation->stretch};
-    std::vector<Stretch> result;
-    visitMark(element, [&](const auto& mark) {
-        if constexpr (requires { mark.stretch; })
-            result = {mark.stretch};
-    });
-    return result;
 }
 
 ElementPtr mirroredDrawn(const Element& drawn, ElementId patch, const Symmetry& symmetry)

@@ -62,9 +62,6 @@ private:
 /// need new ones.
 SewnMirror::Pairs heldPairs(const Design& design, const Design& other);
 
-/// No stretches for other kinds than seams, fixations and stretches of outlines.
-std::vector<Stretch> stretchesOf(const Element& element);
-
 template <PatchMark T>
 std::optional<T> SewnMirror::of(const T& mark) const
 {
