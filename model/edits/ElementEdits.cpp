@@ -91,6 +91,18 @@ Edit renameElement(const Design& design, ElementId id, const std::string& name)
     return edit;
 }
 
+Edit changeNote(const Design& design, ElementId id, const std::string& note)
+{
+    const ElementPtr before = design.element(id);
+    const char* const spaces = " \t\r\n";
+    const std::size_t first = note.find_first_not_of(spaces);
+    const std::string kept =
+        first == std::string::npos ? std::string() : note.substr(first, note.find_last_not_of(spaces) + 1 - first);
+    if (!before || elementNote(*before) == kept)
+        return {};
+    return replaceElement(design, id, withNote(*before, kept), {noteField.verb, {displayName(design, id)}});
+}
+
 ElementPtr withFreeName(const Design& design, const Element& element)
 {
     Element named = element;

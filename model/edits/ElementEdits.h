@@ -13,6 +13,8 @@ Edit addElement(const Design& design, ElementPtr element);
 Edit replaceElement(const Design& design, ElementId id, ElementPtr element, Message verb);
 /// Where another element of its kind has that name, it gets a number, and the edit's note says so.
 Edit renameElement(const Design& design, ElementId id, const std::string& name);
+/// What people write at it; spaces at its ends are left out.
+Edit changeNote(const Design& design, ElementId id, const std::string& note);
 /// The element with a name that no other one of its kind has.
 ElementPtr withFreeName(const Design& design, const Element& element);
 /// Removes elements and everything that refers to them (seams of a patch, fixation seams of a curve, cushions of a

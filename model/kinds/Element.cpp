@@ -37,6 +37,30 @@ const std::string& elementName(const Element& element)
         element);
 }
 
+const std::string& elementNote(const Element& element)
+{
+    static const std::string none;
+    return std::visit(
+        [](const auto& value) -> const std::string& {
+            if constexpr (requires { value.note; })
+                return value.note;
+            else
+                return none;
+        },
+        element);
+}
+
+ElementPtr withNote(const Element& element, std::string note)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (requires { value.note; })
+                value.note = std::move(note);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
 const std::string* elementFile(const Element& element)
 {
     return std::visit(

@@ -46,6 +46,10 @@ const char* kindName(const Element& element);
 bool hasName(const Element& element);
 /// The element's own name, or "" for kinds without one.
 const std::string& elementName(const Element& element);
+/// What people have written at it, or "" also for the settings.
+const std::string& elementNote(const Element& element);
+/// The same element with another note; it must be of a kind with one.
+ElementPtr withNote(const Element& element, std::string note);
 /// The file that the element refers to, or null for those without one.
 const std::string* elementFile(const Element& element);
 /// The field that names it, for problems: "file", or "look.file".

@@ -217,6 +217,31 @@ TEST(DesignJson, ReadsBackEveryBitThatItWrites)
     EXPECT_NE(text.find("\"knots\": [-1, 0.25, 0.25, 1.1, 2]"), std::string::npos);
 }
 
+TEST(DesignJson, NotesAreKeptAndStandNowhereElse)
+{
+    const Design design = unusualDesign();
+    EXPECT_EQ(writeDesign(design).find("note"), std::string::npos);
+    Design noted = design;
+    int count = 0;
+    for (const auto& [id, element] : design.elements())
+        if (id != settingsId) {
+            Edit edit;
+            edit.changes.push_back(
+                {id, element, withNote(*element, std::string("ask \"Anna\"\nabout ").append(kindName(*element)))});
+            noted = noted.with(edit);
+            ++count;
+        }
+    const std::string text = writeDesign(noted);
+    const Design again = test::soundDesign(text);
+    EXPECT_EQ(again, noted);
+    EXPECT_EQ(writeDesign(again), text);
+    int found = 0;
+    for (std::size_t at = text.find("\"note\": \"ask \\\"Anna\\\"\\nabout "); at != std::string::npos;
+         at = text.find("\"note\": ", at + 1))
+        ++found;
+    EXPECT_EQ(found, count) << text;
+}
+
 TEST(DesignJson, IsCanonicalForRealDesigns)
 {
     for (const char* name : test::designNames) {

@@ -166,6 +166,22 @@ TEST_F(Edits, ReplacesAndRenames)
     EXPECT_TRUE(changeSettings(design, design.settings()).empty());
 }
 
+TEST_F(Edits, AnyElementHasANote)
+{
+    for (const auto& [id, element] : design.elements()) {
+        if (id == settingsId)
+            continue;
+        const Edit edit = changeNote(design, id, "  ask Anna\nabout this \n\n");
+        ASSERT_FALSE(edit.empty()) << kindName(*element);
+        const Design noted = design.with(edit);
+        EXPECT_EQ(elementNote(*noted.element(id)), "ask Anna\nabout this") << kindName(*element);
+        EXPECT_TRUE(changeNote(noted, id, "ask Anna\nabout this\n").empty()) << "the same";
+        EXPECT_EQ(noted.with(changeNote(noted, id, " \n")), design) << "and gone";
+    }
+    EXPECT_EQ(changeNote(design, seat, "x").verb.english(), "Change the note of Seat");
+    EXPECT_TRUE(changeNote(design, ElementId{99}, "x").empty());
+}
+
 TEST_F(Edits, RemovesWhatRefersToTheRemoved)
 {
     const auto removed = [&](std::vector<ElementId> ids) {

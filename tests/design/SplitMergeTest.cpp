@@ -219,8 +219,10 @@ TEST_F(SplitMerge, RefusesLinesThatDoNotCut)
 
 TEST_F(SplitMerge, MergesAlongASeam)
 {
-    const Outcome outcome = mergePatches(design, seam);
-    const Design after = done(design, outcome);
+    const Design noted = design.with(changeNote(design, side, "ask Anna"));
+    const Outcome outcome = mergePatches(noted, seam);
+    const Design after = done(noted, outcome);
+    EXPECT_EQ(after.find<Patch>(seat)->note, "ask Anna") << "of neither is it lost";
     EXPECT_TRUE(outcome.dropped.empty());
     EXPECT_EQ(outcome.edit.verb.english(), "Merge Seat and Side");
     EXPECT_FALSE(after.element(side));

@@ -18,6 +18,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
@@ -94,6 +95,42 @@ TEST(Translated, NumbersAreWrittenAsTheLocaleHasThem)
     QLocale::setDefault(QLocale::c());
     EXPECT_EQ(translated(message), "5.25 mm of \"Seat 1.5\" and -0.5");
     QLocale::setDefault(before);
+}
+
+TEST_F(InspectorTest, ANoteHasSeveralLinesAndIsOneEdit)
+{
+    const auto note = [&] { return elementNote(*document.design().element(firstSquare)); };
+    selection.set({firstSquare});
+    auto* box = inspector.widget()->findChild<QPlainTextEdit*>();
+    ASSERT_TRUE(box);
+    inspector.activateWindow();
+    box->setFocus();
+    const int before = document.history().count();
+    QTest::keyClicks(box, "ask Anna");
+    QTest::keyClick(box, Qt::Key_Return);
+    QTest::keyClicks(box, "about this");
+    EXPECT_EQ(note(), "");
+    EXPECT_EQ(document.history().count(), before);
+    box->clearFocus();
+    EXPECT_EQ(note(), "ask Anna\nabout this");
+    EXPECT_EQ(document.history().count(), before + 1);
+    document.undo();
+    EXPECT_EQ(note(), "");
+    document.redo();
+
+    box = inspector.widget()->findChild<QPlainTextEdit*>();
+    EXPECT_EQ(box->toPlainText(), "ask Anna\nabout this");
+    box->setFocus();
+    QTest::keyClicks(box, "nonsense");
+    QTest::keyClick(box, Qt::Key_Escape);
+    EXPECT_EQ(box->toPlainText(), "ask Anna\nabout this") << "given up";
+    box->moveCursor(QTextCursor::End);
+    QTest::keyClicks(box, "!");
+    selection.set({secondSquare});
+    EXPECT_EQ(note(), "ask Anna\nabout this!") << "what was typed is not lost";
+    EXPECT_EQ(inspector.widget()->findChild<QPlainTextEdit*>()->toPlainText(), "") << "it is another one's";
+    selection.clear();
+    EXPECT_FALSE(inspector.widget()->findChild<QPlainTextEdit*>()) << "settings have none";
 }
 
 TEST_F(InspectorTest, ScrollingThroughItChangesNothing)

@@ -192,6 +192,38 @@ TEST_F(ListsTest, AProblemIsMarked)
     EXPECT_EQ(model.indexOf(secondSquare).data(ElementsModel::ProblemRole).toInt(), 0);
 }
 
+TEST_F(ListsTest, NotesAreSignedFoundAndToldByTheirTip)
+{
+    ElementsView view(document, selection, problems);
+    view.resize(260, 400);
+    view.show();
+    document.commit(edits::changeNote(document.design(), firstSquare, "ask Anna\nabout this allowance"));
+    auto* tree = view.findChild<QTreeView*>();
+    const auto row = [&](ElementId id) {
+        for (int group = 0; group < tree->model()->rowCount(); ++group) {
+            const QModelIndex parent = tree->model()->index(group, 0);
+            for (int i = 0; i < tree->model()->rowCount(parent); ++i)
+                if (const QModelIndex found = tree->model()->index(i, 0, parent);
+                    found.data(ElementsModel::ElementRole).toInt() == static_cast<int>(id))
+                    return found;
+        }
+        return QModelIndex();
+    };
+    ASSERT_TRUE(row(firstSquare).isValid());
+    EXPECT_EQ(row(firstSquare).data(ElementsModel::NoteRole).toString(), "ask Anna\nabout this allowance");
+    EXPECT_TRUE(row(firstSquare).data(Qt::ToolTipRole).toString().endsWith("ask Anna\nabout this allowance"));
+    keepPicture(view, QStringLiteral("elements-note"));
+    view.findChild<QLineEdit*>()->setText("ALLOWANCE");
+    EXPECT_TRUE(row(firstSquare).isValid()) << "found by a word of its note";
+    int shown = 0;
+    for (int group = 0; group < tree->model()->rowCount(); ++group)
+        shown += tree->model()->rowCount(tree->model()->index(group, 0));
+    EXPECT_EQ(shown, 1) << "and nothing else";
+    document.undo();
+    view.findChild<QLineEdit*>()->clear();
+    EXPECT_TRUE(row(firstSquare).data(ElementsModel::NoteRole).toString().isEmpty());
+}
+
 TEST_F(ListsTest, EachChangeInTheInspectorIsOneEdit)
 {
     Inspector inspector(document, selection, problems);

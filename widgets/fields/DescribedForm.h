@@ -84,6 +84,8 @@ public:
         {
             return fieldByNumber<Value>(element, number);
         };
+        if (std::string_view(f.key) == noteField.key)
+            return; // below every form
         if constexpr (std::is_same_v<Form, Text>) {
             if constexpr (requires(const T& named) { named.name; })
                 if (std::string_view(f.key) == nameField.key)

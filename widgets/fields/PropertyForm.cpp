@@ -10,9 +10,12 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpacerItem>
@@ -59,6 +62,91 @@ protected:
 
 private:
     bool m_displaying = false;
+};
+
+/// As high as its text, within limits. Whoever leaves it is done; Escape brings back what was there, for which the
+/// panel asks. Undo is left to the design unless something has been typed.
+class LinesBox : public QPlainTextEdit {
+public:
+    explicit LinesBox(QWidget* parent)
+        : QPlainTextEdit(parent)
+    {
+        setTabChangesFocus(true);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        connect(this, &QPlainTextEdit::textChanged, this, [this] { fitText(); });
+        fitText();
+    }
+
+    std::function<void()> finished;
+
+    void show(const QString& text)
+    {
+        if (text != toPlainText())
+            setPlainText(text);
+        document()->setModified(false);
+    }
+
+protected:
+    bool event(QEvent* event) override
+    {
+        if (!document()->isModified() && isUndoKey(*event)) {
+            event->ignore();
+            return false;
+        }
+        const bool done = QPlainTextEdit::event(event);
+        if (event->type() == QEvent::ShortcutOverride && !event->isAccepted() &&
+            isCommand(static_cast<const QKeyEvent&>(*event)))
+            finish(); // it may be that of saving
+        return done;
+    }
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        if (event->key() == Qt::Key_Escape) {
+            document()->setModified(false); // the panel shows what is there
+            event->ignore();
+        } else {
+            QPlainTextEdit::keyPressEvent(event);
+        }
+    }
+    void focusOutEvent(QFocusEvent* event) override
+    {
+        QPlainTextEdit::focusOutEvent(event);
+        finish();
+    }
+    void wheelEvent(QWheelEvent* event) override
+    {
+        if (verticalScrollBar()->maximum() > 0 && hasFocus())
+            QPlainTextEdit::wheelEvent(event);
+        else
+            event->ignore();
+    }
+
+private:
+    static bool isUndoKey(const QEvent& event)
+    {
+        if (event.type() != QEvent::ShortcutOverride && event.type() != QEvent::KeyPress)
+            return false;
+        const auto& key = static_cast<const QKeyEvent&>(event);
+        return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+    }
+    static bool isCommand(const QKeyEvent& event)
+    {
+        const bool withModifier = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+        const bool isModifier = event.key() >= Qt::Key_Shift && event.key() <= Qt::Key_ScrollLock;
+        return (withModifier || (event.key() >= Qt::Key_F1 && event.key() <= Qt::Key_F35)) && !isModifier;
+    }
+    void finish()
+    {
+        if (document()->isModified() && finished)
+            finished();
+    }
+    void fitText()
+    {
+        constexpr int least = 2, most = 8; // lines
+        const int lines = std::clamp(document()->blockCount(), least, most);
+        const int around = 2 * (frameWidth() + static_cast<int>(document()->documentMargin()));
+        setFixedHeight(lines * fontMetrics().lineSpacing() + around);
+    }
 };
 
 /// Scrolling through the panel must not change on the way what has no keyboard.
@@ -256,6 +344,23 @@ void PropertyForm::addText(const QString& label, const std::function<std::option
         show(); // what was written may have come to nothing
     });
     addField(label, edit, show);
+}
+
+void PropertyForm::addLines(const QString& label, const std::function<QString()>& read,
+                            const std::function<void(const QString&)>& write)
+{
+    auto* edit = new LinesBox(this);
+    edit->setAccessibleName(label);
+    edit->finished = [edit, write, read] {
+        edit->document()->setModified(false);
+        write(edit->toPlainText());
+        edit->show(read());
+    };
+    addLabelAbove(label, edit);
+    addField({}, edit, [edit, read] {
+        if (!edit->document()->isModified())
+            edit->show(read());
+    });
 }
 
 void PropertyForm::addChecks(const QString& label, const std::vector<Check>& checks,

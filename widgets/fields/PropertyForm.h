@@ -36,6 +36,9 @@ public:
     void addRoomBelow();
     void addText(const QString& label, const std::function<std::optional<QString>()>& read,
                  const std::function<void(const QString&)>& write);
+    /// Text of several lines, under its label: Enter begins a new line.
+    void addLines(const QString& label, const std::function<QString()>& read,
+                  const std::function<void(const QString&)>& write);
     void addNumber(const QString& label, const NumberBox::Range& range,
                    const std::function<std::optional<double>()>& read, const std::function<void(double)>& write);
     /// A number box with a slider from `low` to `high`; while that is dragged `preview` gets its value, then

@@ -5,6 +5,7 @@
 #include "CushionForm.h"
 #include "CuttingForms.h"
 #include "DescribedForm.h"
+#include "ElementEdits.h"
 #include "FabricForm.h"
 #include "FoamForm.h"
 #include "FrameForm.h"
@@ -124,8 +125,24 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
 void InspectorForms::addKind(PropertyForm& form, const ElementKind& kind, const Ids& ids) const
 {
     m_forms.at(kind)->add(form, ids);
-    if (ids.size() == 1)
+    if (ids.size() == 1) {
         m_twin.add(form, ids.front());
+        addNote(form, ids.front());
+    }
+}
+
+void InspectorForms::addNote(PropertyForm& form, ElementId id) const
+{
+    if (m_document.design().find<Settings>(id) || m_document.design().find<Quarantined>(id))
+        return;
+    const auto read = [this, id] {
+        const ElementPtr element = m_document.design().element(id);
+        return element ? QString::fromStdString(elementNote(*element)) : QString();
+    };
+    form.addLines(QCoreApplication::translate("Field", noteField.label), read, [this, id](const QString& text) {
+        m_document.commit(edits::changeNote(m_document.design(), id, text.toStdString()));
+    });
+    form.explain(QCoreApplication::translate("Field", noteField.tip));
 }
 
 } // namespace bolster

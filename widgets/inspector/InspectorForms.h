@@ -40,6 +40,7 @@ private:
     void addSeveral(PropertyForm& form) const;
     void addElement(PropertyForm& form, ElementId id) const;
     void addKind(PropertyForm& form, const ElementKind& kind, const Ids& ids) const;
+    void addNote(PropertyForm& form, ElementId id) const;
 
     Document& m_document;
     const Selection& m_selection;

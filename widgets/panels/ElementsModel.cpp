@@ -94,7 +94,8 @@ std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
 {
     std::map<ElementKind, std::vector<Row>> byKind;
     for (const auto& [id, element] : design.elements())
-        byKind[kindOf(*element)].push_back({id, displayName(design, id)});
+        byKind[kindOf(*element)].push_back(
+            {id, displayName(design, id), QString::fromStdString(elementNote(*element))});
     for (auto& [kind, rows] : byKind)
         if (!hasName(*design.element(rows.front().id)))
             tellApart(design, rows);
@@ -185,7 +186,7 @@ QVariant ElementsModel::data(const QModelIndex& index, int role) const
 
 QVariant ElementsModel::groupData(const Group& group, int role) const
 {
-    return role == Qt::DisplayRole ? kindTitle(group.kind) : QVariant();
+    return role == Qt::DisplayRole || role == SearchRole ? kindTitle(group.kind) : QVariant();
 }
 
 QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) const
@@ -221,9 +222,14 @@ QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) 
         QStringList lines{row.name, m_problems.text(row.id)};
         if (isHidden(design, m_hidden, row.id))
             lines << tr("Hidden in the 3D view");
+        lines << row.note;
         lines.removeAll(QString());
         return lines.join(u'\n');
     }
+    case NoteRole:
+        return row.note;
+    case SearchRole:
+        return QString(row.name + u'\n' + row.note);
     case ElementRole:
         return number(row.id);
     case HiddenRole:

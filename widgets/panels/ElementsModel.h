@@ -22,6 +22,8 @@ public:
         ElementRole = Qt::UserRole, ///< the id as int; nothing for kinds
         ProblemRole,                ///< 0 none, 1 warning, 2 error
         HiddenRole,                 ///< whether the 3D view hides it
+        NoteRole,                   ///< what people have written at it
+        SearchRole,                 ///< by what it is found: name and note
     };
 
     ElementsModel(Document& document, ProblemSet& problems, QObject* parent = nullptr);
@@ -46,6 +48,7 @@ private:
     struct Row {
         ElementId id{};
         QString name;
+        QString note = {};
         friend bool operator==(const Row&, const Row&) = default;
     };
     struct Group {

@@ -48,20 +48,25 @@ public:
                                                  option.palette.color(QPalette::Highlight), 0.14));
         QStyleOptionViewItem shortened = option;
         const int problem = index.data(ElementsModel::ProblemRole).toInt();
-        if (problem > 0)
-            shortened.rect.setRight(option.rect.right() - 22);
+        const bool noted = !index.data(ElementsModel::NoteRole).toString().isEmpty();
+        const int signs = (problem > 0) + noted;
+        shortened.rect.setRight(option.rect.right() - signs * signRoom);
         QStyledItemDelegate::paint(painter, shortened, index);
-        if (problem == 0)
-            return;
-        const ViewColors colors = ViewColors::of(option.palette);
-        const QColor sign = problem == 2 ? colors.error : colors.warning;
         if (selected)
-            painter->fillRect(QRect(shortened.rect.right() + 1, option.rect.top(), 22, option.rect.height()),
-                              option.palette.brush(QPalette::Highlight));
-        const QRect place(option.rect.right() - 20, option.rect.center().y() - 7, 16, 16);
-        icon(problem == 2 ? QStringLiteral("error") : QStringLiteral("warning"),
-             selected ? option.palette.color(QPalette::HighlightedText) : sign)
-            .paint(painter, place);
+            painter->fillRect(
+                QRect(shortened.rect.right() + 1, option.rect.top(), signs * signRoom, option.rect.height()),
+                option.palette.brush(QPalette::Highlight));
+        QRect place(option.rect.right() - 20, option.rect.center().y() - 7, 16, 16);
+        const auto paintSign = [&](const QString& name, const QColor& color) {
+            icon(name, selected ? option.palette.color(QPalette::HighlightedText) : color).paint(painter, place);
+            place.translate(-signRoom, 0);
+        };
+        const ViewColors colors = ViewColors::of(option.palette);
+        if (problem > 0)
+            paintSign(problem == 2 ? QStringLiteral("error") : QStringLiteral("warning"),
+                      problem == 2 ? colors.error : colors.warning);
+        if (noted)
+            paintSign(QStringLiteral("note"), colors.label);
     }
 
     /// What is being typed stays when something else about the line changes meanwhile.
@@ -73,6 +78,8 @@ public:
     }
 
 private:
+    static constexpr int signRoom = 22; ///< pixels
+
     static void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
     {
         QFont font = option.font;
@@ -117,12 +124,14 @@ ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet&
 {
     m_filter->setSourceModel(m_model);
     m_filter->setRecursiveFilteringEnabled(true);
+    m_filter->setFilterRole(ElementsModel::SearchRole);
     m_filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
     buildTree();
 
     auto* search = m_search = new QLineEdit(this);
     search->setPlaceholderText(tr("Find an element"));
     search->setAccessibleName(search->placeholderText());
+    search->setToolTip(tr("By its name, or by a word of its note"));
     m_tree->setAccessibleName(tr("Elements"));
     search->setClearButtonEnabled(true);
     search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);

@@ -308,6 +308,9 @@ Outcome mergeOne(const Design& design, ElementId seamId)
     for (const double joint : starts)
         merged.outline = withoutNeedlessKnots(std::move(merged.outline), joint);
 
+    if (const std::string& other = b.patch->note; !other.empty() && other != merged.note)
+        merged.note.append(merged.note.empty() ? "" : "\n").append(other);
+
     Outcome outcome;
     EditBuilder builder(design);
     builder.replace(a.id, std::move(merged));

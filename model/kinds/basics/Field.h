@@ -66,6 +66,15 @@ struct Field {
 inline constexpr Field nameField{
     .key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required};
 
+/// Of all elements.
+inline constexpr Field noteField{
+    .key = "note",
+    .label = QT_TRANSLATE_NOOP("Field", "Note"),
+    .meaning = "what people write at it for each other, in any number of lines; it changes nothing else",
+    .tip =
+        QT_TRANSLATE_NOOP("Field", "For whoever works on the design: it changes neither the cover nor what is cut"),
+    .verb = QT_TRANSLATE_NOOP("Message", "Change the note of %1")};
+
 enum class Unit { None, Millimetres, Degrees, Percent, MillimetresPerUnit };
 
 inline constexpr double noLimit = std::numeric_limits<double>::infinity();

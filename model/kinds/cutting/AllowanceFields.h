@@ -76,6 +76,7 @@ struct Description<EdgeAllowance> {
                  .tip = QT_TRANSLATE_NOOP("Field", "From the sewing line to the line where the fabric is cut."),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the seam allowance of %1")},
                 allowanceWidth, s.width...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
@@ -98,6 +99,7 @@ struct Description<CutCorner> {
                  .verb = QT_TRANSLATE_NOOP("Message", "Change a corner of the cut line"),
                  .presence = Presence::Always},
                 Words{cornerJoinKeys, cornerJoinLabels}, s.join...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -4,11 +4,14 @@
 #include "CutAllowance.h"
 #include "OutlinePlace.h"
 
+#include <string>
+
 namespace bolster {
 
 struct CutCorner {
     OutlinePlace place;
     CornerJoin join = CornerJoin::Mitred;
+    std::string note = {}; ///< for people
 
     friend bool operator==(const CutCorner&, const CutCorner&) = default;
 };

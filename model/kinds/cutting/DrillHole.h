@@ -18,7 +18,8 @@ struct PatchPoint {
 struct DrillHole {
     std::string name;
     PatchPoint place;
-    double diameter = 3; ///< mm, > 0
+    double diameter = 3;   ///< mm, > 0
+    std::string note = {}; ///< for people
 
     friend bool operator==(const DrillHole&, const DrillHole&) = default;
 };

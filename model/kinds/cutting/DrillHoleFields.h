@@ -42,6 +42,7 @@ struct Description<DrillHole> {
                  .label = QT_TRANSLATE_NOOP("Field", "Diameter"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the diameter of %1")},
                 Number{0.1, 100, Unit::Millimetres, {.step = 0.5}}, s.diameter...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -84,6 +84,7 @@ struct Description<Notch> {
                  .meaning = "to tell front from back",
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the notches of %1")},
                 Flag{}, s.twice...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -66,7 +66,7 @@ struct Description<PieceCutting> {
                  .verb = verb},
                 Number{0, 180, Unit::Degrees, {.step = 1, .decimals = 1}}, s.tolerance...);
         v.field({.key = "note",
-                 .label = QT_TRANSLATE_NOOP("Field", "Note"),
+                 .label = QT_TRANSLATE_NOOP("Field", "Line on the label"),
                  .meaning = "one more line of the label",
                  .verb = verb},
                 Text{}, s.note...);

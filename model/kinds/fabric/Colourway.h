@@ -18,6 +18,7 @@ struct Colourway {
 
     std::string name;
     std::vector<Entry> fabrics; ///< each patch at most once; the others show their own fabric
+    std::string note = {};      ///< for people
 
     friend bool operator==(const Colourway&, const Colourway&) = default;
 };

@@ -46,6 +46,7 @@ struct Description<Colourway> {
                     .wrongEntry = QT_TRANSLATE_NOOP("Message", "must be a pair in braces, with patch and fabric"),
                     .mayBeEmpty = false},
             s.fabrics...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -5,6 +5,8 @@
 #include "FabricLook.h"
 #include "StretchLimits.h"
 
+#include <string>
+
 namespace bolster {
 
 struct Fabric {
@@ -16,6 +18,7 @@ struct Fabric {
     FabricLook look = {};
     StretchLimits limits = {};
     FabricCutting cutting = {};
+    std::string note = {}; ///< for people
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };

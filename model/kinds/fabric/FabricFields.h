@@ -137,6 +137,7 @@ struct Description<Fabric> {
                  .meaning = "how far it may be strained; a map of strain shows what is beyond"},
                 s.limits...);
         v.group(cuttingField, s.cutting...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -13,6 +13,7 @@ struct FixationCurve {
     std::string name;
     BSpline3 curve;                ///< open or closed, mm
     std::optional<Twin> twin = {}; ///< mirrored at the plane of the design
+    std::string note = {};         ///< for people
 
     friend bool operator==(const FixationCurve&, const FixationCurve&) = default;
 };

@@ -30,6 +30,7 @@ struct Description<FixationCurve> {
                  .cost = SolveCost::Retarget,
                  .presence = Presence::Required},
                 Curve{}, s.curve...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
@@ -68,6 +69,7 @@ struct Description<FixationSeam> {
         describeMatch(v, SolveCost::Resew, s.match...);
         v.part({}, s.orientation...);
         v.group(trimField, s.trim...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

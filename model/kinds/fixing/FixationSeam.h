@@ -7,6 +7,7 @@
 #include "Stretch.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace bolster {
@@ -19,6 +20,7 @@ struct FixationSeam {
     Match match = Match::Length;
     Orientation orientation = {}; ///< from the stretch's start to its end
     SeamTrim trim = {};
+    std::string note = {}; ///< for people
 
     bool hasCurve() const { return curve != noElement; }
 

@@ -20,6 +20,7 @@ struct Cushion {
     double strength = 1;            ///< scales the force
     Distance distance = Distance::CityBlock;
     bool enabled = true;
+    std::string note = {}; ///< for people
 
     friend bool operator==(const Cushion&, const Cushion&) = default;
 };

@@ -85,6 +85,7 @@ struct Description<Cushion> {
                  .verb = QT_TRANSLATE_NOOP("Message", "Switch %1"),
                  .cost = cost},
                 Flag{}, s.enabled...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

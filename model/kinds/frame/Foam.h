@@ -25,6 +25,7 @@ struct Foam : Placement {
     double dilation = 0;             ///< mm of padding around it
     double strength = 1;             ///< scales the force where it lies
     bool cut = false;
+    std::string note = {}; ///< for people
 
     friend bool operator==(const Foam&, const Foam&) = default;
 };

@@ -19,6 +19,7 @@ struct Frame : Placement {
     FrameMaterial material = {}; ///< what it looks like
     /// Of the file's parts and their pieces (FramePiece): not there for anybody.
     std::vector<std::string> hiddenParts{};
+    std::string note = {}; ///< for people
 
     friend bool operator==(const Frame&, const Frame&) = default;
 };

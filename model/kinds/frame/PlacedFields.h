@@ -101,6 +101,7 @@ struct Description<Frame> {
                      "largest piece of `\"Seat\"`",
                  .cost = SolveCost::Retarget},
                 Names{}, s.hiddenParts...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
@@ -173,6 +174,7 @@ struct Description<Foam> {
                  .verb = QT_TRANSLATE_NOOP("Message", "Add or cut %1"),
                  .cost = SolveCost::Retarget},
                 Flag{}, s.cut...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
@@ -256,6 +258,7 @@ struct Description<Scan> {
                        .wrongEntry = QT_TRANSLATE_NOOP("Message", "must be a cut in braces, with planes"),
                        .most = 1000},
                s.cuts...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -42,6 +42,7 @@ struct Scan : Placement {
     bool enabled = true;   ///< false: only measured against
     ScanTarget target = ScanTarget::Plane;
     std::vector<ScanCut> cuts; ///< in the scan's file, so that they go where it goes
+    std::string note = {};     ///< for people
 
     /// Whether some cut removes the point.
     bool isCutAway(const Vec3& filePoint) const;

@@ -4,6 +4,8 @@
 #include "PatchCurve.h"
 #include "SeamTrim.h"
 
+#include <string>
+
 namespace bolster {
 
 /// The cross section from one outer line to the other, u from -1 to 1 (formulas: fancyProfile).
@@ -14,6 +16,7 @@ struct FancySeam : PatchCurve {
     double depth = 4;  ///< of the curve below the cover, mm; negative: above it
     Profile profile = Profile::Round;
     SeamTrim trim = {};
+    std::string note = {}; ///< for people
 
     friend bool operator==(const FancySeam&, const FancySeam&) = default;
 };

@@ -6,12 +6,15 @@
 #include "PatchCurve.h"
 #include "Stretch.h"
 
+#include <string>
+
 namespace bolster {
 
 struct HandleCurve : PatchCurve {
     BSpline3 target; ///< where the curve lies, mm, closed when it is; empty: only the orientation is held
     Match match = Match::Length;
     Orientation orientation = {}; ///< from the curve's start to its end
+    std::string note = {};        ///< for people
 
     bool hasTarget() const { return !target.empty(); }
 

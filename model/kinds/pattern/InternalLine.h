@@ -3,12 +3,15 @@
 
 #include "PatchCurve.h"
 
+#include <string>
+
 namespace bolster {
 
 struct InternalLine : PatchCurve {
     enum class Purpose { Guide, TopStitch, TieDown, Fold };
 
     Purpose purpose = Purpose::Guide;
+    std::string note = {}; ///< for people
 
     friend bool operator==(const InternalLine&, const InternalLine&) = default;
 };

@@ -25,6 +25,7 @@ struct Patch {
     std::optional<CutAllowance> allowance = {}; ///< nothing: the design's
     PieceCutting cutting = {};
     std::optional<Twin> twin = {}; ///< mirrored at x = 0 of the outlines; place and rotation are free
+    std::string note = {};         ///< for people
 
     friend bool operator==(const Patch&, const Patch&) = default;
 };

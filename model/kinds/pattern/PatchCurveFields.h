@@ -66,6 +66,7 @@ struct Description<HandleCurve> {
                 Curve{}, s.target...);
         describeMatch(v, SolveCost::Rebuild, s.match...);
         v.part({}, s.orientation...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
@@ -107,6 +108,7 @@ struct Description<FancySeam> {
                  .cost = SolveCost::Republish},
                 Words{profiles, profileLabels}, s.profile...);
         v.group(trimField, s.trim...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
@@ -133,6 +135,7 @@ struct Description<InternalLine> {
                  .label = QT_TRANSLATE_NOOP("Field", "Purpose"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the purpose of %1")},
                 Words{purposes, purposeLabels}, s.purpose...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -70,6 +70,7 @@ struct Description<Patch> {
                  .cost = SolveCost::Warp,
                  .presence = Presence::Required},
                 Curve{.outline = true}, s.outline...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -4,11 +4,14 @@
 #include "SeamTrim.h"
 #include "Stretch.h"
 
+#include <string>
+
 namespace bolster {
 
 struct OutlineTrim {
     Stretch stretch;
     SeamTrim trim = {};
+    std::string note = {}; ///< for people
 
     friend bool operator==(const OutlineTrim&, const OutlineTrim&) = default;
 };

@@ -69,6 +69,7 @@ struct Description<Seam> {
                                                    "ones. 0: as the program proposes it."),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change when %1 is sewn")},
                 Number{0, 100000, Unit::None, {.decimals = 0}}, s.step...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 

@@ -87,6 +87,7 @@ struct Description<OutlineTrim> {
     {
         v.part({}, s.stretch...);
         v.group(trimField, s.trim...);
+        v.field(noteField, Text{}, s.note...);
     }
 };
 
