@@ -36,6 +36,15 @@ public:
                 visit(id, *value);
     }
 
+    /// How many elements of this kind there are.
+    template <class T>
+    int count() const
+    {
+        int found = 0;
+        each<T>([&found](ElementId, const T&) { ++found; });
+        return found;
+    }
+
     /// A free id, larger than all others.
     ElementId nextId() const;
     /// The design after the edit. `before` is not looked at.

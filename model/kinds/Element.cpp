@@ -127,7 +127,8 @@ bool liesOnPatch(const Element& element)
 {
     bool mark = false;
     visitMark(element, [&](const auto&) { mark = true; });
-    return mark || seamTrim(element) || patchCurve(element); // all that can be trimmed does
+    return mark || seamTrim(element) || patchCurve(element) || // all that can be trimmed does
+           std::holds_alternative<Measurement>(element);
 }
 
 const PatchCurve* patchCurve(const Element& element)

@@ -14,6 +14,7 @@
 #include "Frame.h"
 #include "HandleCurve.h"
 #include "InternalLine.h"
+#include "Measurement.h"
 #include "Notch.h"
 #include "OutlineTrim.h"
 #include "Patch.h"
@@ -31,7 +32,7 @@ namespace bolster {
 
 using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, HandleCurve,
                              FancySeam, Cushion, Foam, Scan, Colourway, OutlineTrim, EdgeAllowance, CutCorner,
-                             Notch, DrillHole, InternalLine, Quarantined>;
+                             Notch, DrillHole, InternalLine, Measurement, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>

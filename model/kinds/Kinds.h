@@ -7,6 +7,7 @@
 #include "Element.h"
 #include "FabricFields.h"
 #include "FixationFields.h"
+#include "MeasurementFields.h"
 #include "PatchCurveFields.h"
 #include "PatchFields.h"
 #include "PlacedFields.h"

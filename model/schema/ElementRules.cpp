@@ -588,6 +588,21 @@ void ElementRules::rules(const DrillHole& hole)
              {QT_TRANSLATE_NOOP("Message", "the hole lies outside of \"%1\"; move it inside"), {patch->name}});
 }
 
+void ElementRules::rules(const Measurement& measurement)
+{
+    constexpr double slack = 0.01; // mm: ends lie on outlines
+    const auto end = [&](const char* field, const PatchPoint& point) {
+        const Patch* patch = m_design.find<Patch>(point.patch);
+        if (!patch || patch->outline.empty() || !point.position.allFinite())
+            return;
+        if (patch->outline.boundingBox().exteriorDistance(point.position) > slack)
+            warn(field,
+                 {QT_TRANSLATE_NOOP("Message", "it does not lie in \"%1\" any more; measure anew"), {patch->name}});
+    };
+    end("from", measurement.from);
+    end("to", measurement.to);
+}
+
 void ElementRules::rules(const Quarantined& quarantined)
 {
     m_problems.insert(m_problems.end(), quarantined.problems.begin(), quarantined.problems.end());

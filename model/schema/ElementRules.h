@@ -41,6 +41,7 @@ private:
     void rules(const CutCorner& corner);
     void rules(const Notch& notch);
     void rules(const DrillHole& hole);
+    void rules(const Measurement& measurement);
     void rules(const Quarantined& quarantined);
 
     void twin(const Element& element);

@@ -187,13 +187,14 @@ Design unusualDesign()
               false,
               ScanTarget::Point,
               {{{{Vec3(0, 0, -1), 0.1 + 0.2}, {Vec3(1e-9, 0, 0), -4}}, true}, {}}};
+    const Measurement measured{"M", {ElementId{2}, {0.1 + 0.2, -0.0}}, {ElementId{3}, {1e-9, 2}}};
     Settings settings;
     settings.edgeLength = 7.1;
-    const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
-                                              makeElement(cornered), makeElement(fixation), makeElement(seam),
-                                              makeElement(frame),    makeElement(handle),   makeElement(fancy),
-                                              makeElement(curve),    makeElement(leaning),  makeElement(free),
-                                              makeElement(cushion),  makeElement(foam),     makeElement(scan)};
+    const std::vector<ElementPtr> elements = {
+        makeElement(settings), makeElement(fabric), makeElement(patch),    makeElement(cornered),
+        makeElement(fixation), makeElement(seam),   makeElement(frame),    makeElement(handle),
+        makeElement(fancy),    makeElement(curve),  makeElement(leaning),  makeElement(free),
+        makeElement(cushion),  makeElement(foam),   makeElement(measured), makeElement(scan)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});

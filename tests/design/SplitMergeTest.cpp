@@ -5,6 +5,7 @@
 #include "DesignCheck.h"
 #include "ElementEdits.h"
 #include "LayoutEdits.h"
+#include "MeasurementEdits.h"
 #include "OutlineEdits.h"
 #include "PatchEdits.h"
 #include "PatchMerge.h"
@@ -234,6 +235,43 @@ TEST_F(SplitMerge, MergesAlongASeam)
     EXPECT_NEAR(merged.outline.boundingBox().max().x(), 620, 1e-6);
     EXPECT_NEAR(length(after, after.find<FixationSeam>(fixation)->stretch), 500, 1e-6) << "it keeps its place";
     EXPECT_LT((merged.outline.at(after.find<FixationSeam>(fixation)->stretch.to) - Vec2(500, 0)).norm(), 1e-6);
+}
+
+TEST_F(SplitMerge, MeasurementsStayWhereTheyAre)
+{
+    const PatchPoint from{seat, {50, 200}}, to{seat, {450, 200}}, over{side, {100, 60}};
+    Design measured = design.with(addMeasurement(design, from, to, "Width"));
+    const ElementId width = design.nextId();
+    measured = measured.with(addMeasurement(measured, to, over, "Over the edge"));
+    const ElementId edge = ElementId{static_cast<std::int32_t>(width) + 1};
+    const auto places = [](const Design& in, ElementId id) {
+        const Measurement& m = *in.find<Measurement>(id);
+        return std::pair(toLayout(*in.find<Patch>(m.from.patch), m.from.position),
+                         toLayout(*in.find<Patch>(m.to.patch), m.to.position));
+    };
+    const auto stay = [&](const Design& after, double tolerance) {
+        for (const ElementId id : {width, edge}) {
+            EXPECT_LT((places(after, id).first - places(measured, id).first).norm(), tolerance);
+            EXPECT_LT((places(after, id).second - places(measured, id).second).norm(), tolerance);
+        }
+    };
+    const Outcome cut = splitPatch(measured, seat, {{260, 0}, {260, 900}});
+    const Design halves = done(measured, cut);
+    const Measurement& across = *halves.find<Measurement>(width);
+    EXPECT_NE(across.from.patch, across.to.patch) << "each end goes with its half";
+    stay(halves, 1e-9);
+
+    const Design merged = done(measured, mergePatches(measured, seam));
+    const Measurement& inOne = *merged.find<Measurement>(edge);
+    EXPECT_EQ(inOne.from.patch, seat);
+    EXPECT_EQ(inOne.to.patch, seat);
+    EXPECT_LT((inOne.to.position - Vec2(560, 100)).norm(), 1e-6) << "as the side is joined";
+
+    const Design without = measured.with(removeElements(measured, std::vector{side}));
+    EXPECT_TRUE(without.element(width));
+    EXPECT_FALSE(without.element(edge)) << "nothing is left of it";
+    EXPECT_TRUE(addMeasurement(design, from, from, "None").empty());
+    EXPECT_TRUE(addMeasurement(design, from, {rail, {0, 0}}, "None").empty());
 }
 
 TEST_F(SplitMerge, MergesAlongSeveralSeamsInARow)

@@ -9,6 +9,7 @@
 #include "ElementEdits.h"
 #include "Gesture.h"
 #include "HandleEdits.h"
+#include "MeasurementEdits.h"
 #include "PatchEdits.h"
 #include "SeamEdits.h"
 #include "SeamStretches.h"
@@ -161,7 +162,7 @@ private:
     {
         const OutlinePlace place{id, 0.25 * pick(16)};
         const ElementId mark = anyElement(design);
-        switch (pick(9)) {
+        switch (pick(10)) {
         case 0:
             return edits::addNotch(design, place, {static_cast<NotchShape::Kind>(pick(5))});
         case 1:
@@ -170,6 +171,9 @@ private:
             return edits::setCutCorner(design, place, static_cast<CornerJoin>(pick(5)));
         case 3:
             return edits::addDrillHole(design, {id, {somewhere(100), somewhere(100)}}, "Hole");
+        case 9:
+            return edits::addMeasurement(design, {id, {somewhere(100), somewhere(100)}},
+                                         {anyElement(design), {somewhere(100), 0}}, "Depth");
         case 4:
             return edits::addInternalLine(design, id, BSpline2(1, false, {{30, 10}, {somewhere(90), 50}}),
                                           static_cast<InternalLine::Purpose>(pick(4)), "Line");

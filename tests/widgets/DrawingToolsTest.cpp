@@ -344,6 +344,46 @@ TEST_F(DrawingTest, MeasuresBetweenPointsAndAlongEdges)
     EXPECT_EQ(document.history().count(), 1);
 }
 
+TEST_F(DrawingTest, AMeasurementIsKeptFollowsItsCornerAndIsSelectedByItsLine)
+{
+    view.aids().setSnapping(true);
+    view.setTool(PatternToolKind::Measure);
+    click({1, 1});
+    click({600, 300});
+    key(Qt::Key_Return);
+    EXPECT_EQ(document.history().count(), 1) << "it ends beside the patches";
+    click({1, 1});
+    click({299, 101});
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("Enter"))) << view.prompt().toStdString();
+    key(Qt::Key_Return);
+    ASSERT_EQ(document.history().count(), 2);
+    ASSERT_EQ(selection.elements().size(), 1U);
+    const ElementId kept = *selection.elements().begin();
+    const auto measured = [&] { return *document.design().find<Measurement>(kept); };
+    EXPECT_EQ(measured().name, "Measurement 1");
+    EXPECT_EQ(measured().from, (PatchPoint{firstSquare, Vec2(0, 0)}));
+    EXPECT_EQ(measured().to.patch, secondSquare);
+    key(Qt::Key_Escape);
+    view.aids().setSnapping(false);
+    keepPicture(view, QStringLiteral("measurement"));
+
+    selection.clear();
+    click({150, 50});
+    EXPECT_EQ(selection.elements(), Selection::Elements{kept}) << "between the patches";
+    selection.set({firstSquare});
+    drag({0, 0}, {-20, -30});
+    EXPECT_LT((measured().from.position - Vec2(-20, -30)).norm(), 1e-9) << "it holds the corner";
+    EXPECT_EQ(document.history().count(), 3) << "in one edit";
+    document.undo();
+    EXPECT_EQ(measured().from.position, Vec2(0, 0));
+    PatternLayers layers = view.shown().layers();
+    layers.measurements = false;
+    view.shown().setLayers(layers);
+    selection.clear();
+    click({150, 50});
+    EXPECT_TRUE(selection.elements().empty()) << "what is not shown is not hit";
+}
+
 TEST_F(DrawingTest, ALoopSelectsWhatItHolds)
 {
     press({-20, -20}, Qt::AltModifier);

@@ -41,6 +41,21 @@ void HandleCurveForm::add(PropertyForm& form, const Ids& ids) const
     OrientationFields::add(form, handle);
 }
 
+void MeasurementForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<Measurement> measured(m_document, ids, form);
+    measured.name();
+    measured.info(tr("From"),
+                  [](const Design& design, const Measurement& m) { return displayName(design, m.from.patch); });
+    measured.info(tr("To"),
+                  [](const Design& design, const Measurement& m) { return displayName(design, m.to.patch); });
+    measured.info(tr("In the pattern"), [](const Design&, const Measurement& m) {
+        return m.from.patch == m.to.patch ? lengthText((m.to.position - m.from.position).norm(), 2)
+                                          : tr("two patches");
+    });
+    form.explain(tr("The 3D view says how long it is on the cover."));
+}
+
 void FancySeamForm::add(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<FancySeam> seam(m_document, ids, form);

@@ -51,6 +51,20 @@ private:
     Document& m_document;
 };
 
+class MeasurementForm : public ElementForm {
+    Q_DECLARE_TR_FUNCTIONS(MeasurementForm)
+
+public:
+    explicit MeasurementForm(Document& document)
+        : m_document(document)
+    {}
+
+    void add(PropertyForm& form, const Ids& ids) const override;
+
+private:
+    Document& m_document;
+};
+
 class InternalLineForm : public ElementForm {
     Q_DECLARE_TR_FUNCTIONS(InternalLineForm)
 

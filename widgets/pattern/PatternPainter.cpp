@@ -2,6 +2,7 @@
 
 #include "CurvePath.h"
 #include "Icons.h"
+#include "MeasurePicture.h"
 #include "PatternCut.h"
 #include "PatternGrid.h"
 #include "PatternLabel.h"
@@ -9,6 +10,7 @@
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
+#include "Units.h"
 
 #include <QPainter>
 
@@ -71,6 +73,8 @@ void PatternPainter::paint()
         paintSeamLinks();
     if (m_in.cut)
         paintCutMarks(m_painter, *m_in.cut, m_in.scene, m_in.transform, m_in.colors, m_in.selection, m_words);
+    if (m_in.layers.measurements)
+        paintMeasures();
     if (m_in.layers.points)
         paintAllPoints();
     paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);
@@ -387,6 +391,21 @@ void PatternPainter::paintLine(const PatternLine& line)
     const std::string& name = elementName(*line.element);
     if (m_in.layers.labels && !name.empty())
         paintLineName(m_painter, path, QString::fromStdString(name), width / 2, color, strong);
+}
+
+void PatternPainter::paintMeasures()
+{
+    for (const auto& [id, measure] : m_in.scene.measures().all()) {
+        const QColor color = bad(id)        ? m_in.colors.error
+                             : selected(id) ? m_in.colors.accent
+                             : hovered(id)  ? m_in.colors.hover
+                                            : m_in.colors.label;
+        paintMeasure(m_painter,
+                     {m_in.transform.toPixels(measure.from), m_in.transform.toPixels(measure.to),
+                      measure.inOnePatch ? lengthText(measure.length(), 1) : QString(),
+                      selected(id) || hovered(id)},
+                     color, m_in.colors.canvas);
+    }
 }
 
 void PatternPainter::paintAllPoints()

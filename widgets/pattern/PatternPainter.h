@@ -29,6 +29,7 @@ struct PatternLayers {
     bool handles = true; ///< handle curves
     bool fancySeams = true;
     bool cutting = false; ///< cut lines, notches, labels, holes
+    bool measurements = true;
 
     bool shows(const PatternLine& line) const
     {
@@ -102,6 +103,7 @@ private:
     void paintSeamArrows(const PatternPatch& patch, const QRectF& written);
     void paintSeamLinks();
     void paintLine(const PatternLine& line);
+    void paintMeasures();
     void paintAllPoints();
     void paintFollowers();
     void paintPoints(ElementId id, const std::vector<Vec2>& points, const std::vector<char>& corners,

@@ -104,6 +104,10 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
                 owners.insert(id);
         });
     });
+    design.each<Measurement>([&](ElementId id, const Measurement& measurement) {
+        if (changed.contains(measurement.from.patch) || changed.contains(measurement.to.patch))
+            owners.insert(id);
+    });
     for (const auto& [id, element] : design.elements())
         if (const PatchCurve* drawn = patchCurve(*element); drawn && changed.contains(drawn->patch))
             owners.insert(id);
@@ -115,6 +119,7 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         updateMark(design, id);
     for (const ElementId id : owners)
         updateStretches(design, id);
+    m_measures.update(design, owners);
     m_trims.update(design, owners, changed);
     m_twins = PatternTwins::of(design);
 }
@@ -292,12 +297,15 @@ Box2 PatternScene::boundingBox(const std::set<ElementId>& ids) const
 }
 
 PatternHit PatternScene::hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown,
-                             const std::function<bool(const PatternLine&)>& lineShown, bool marksShown) const
+                             const std::function<bool(const PatternLine&)>& lineShown, bool marksShown,
+                             bool measuresShown) const
 {
     if (const std::optional<PatternHit> point = hitPoint(at, tolerance, pointsShown))
         return *point;
     if (const std::optional<PatternHit> mark = marksShown ? hitMark(at, tolerance) : std::nullopt)
         return *mark;
+    if (const PatternMeasure* measure = measuresShown ? m_measures.at(at, tolerance) : nullptr)
+        return {PatternHit::Kind::Measure, measure->patch, -1, 0, measure->id};
     if (const std::optional<PatternHit> line = hitLine(at, tolerance, lineShown))
         return *line;
     if (const std::optional<PatternHit> outline = hitOutline(at, tolerance))

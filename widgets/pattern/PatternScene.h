@@ -4,6 +4,7 @@
 
 #include "Design.h"
 #include "LabelPlace.h"
+#include "PatternMeasures.h"
 #include "PatternTrims.h"
 #include "PatternTwins.h"
 
@@ -78,14 +79,14 @@ struct PatternMark {
 
 /// What lies at a place of the layout.
 struct PatternHit {
-    enum class Kind { Nothing, Inside, Outline, Line, Point, Mark };
+    enum class Kind { Nothing, Inside, Outline, Line, Point, Mark, Measure };
 
     Kind kind = Kind::Nothing;
     ElementId patch{};          ///< Kind::Point: the element whose point it is
     int point = -1;             ///< Kind::Point
     double parameter = 0;       ///< Kind::Outline, Kind::Line
     ElementId seam = noElement; ///< Kind::Outline: the seam or fixation seam that runs there; Kind::Line and
-                                ///< Kind::Mark: the line, the mark
+                                ///< Kind::Mark: the line, the mark; the measurement
 
     explicit operator bool() const { return kind != Kind::Nothing; }
     /// The element that a click selects.
@@ -107,6 +108,7 @@ public:
 
     const std::map<ElementId, PatternLine>& lines() const { return m_lines; }
     const std::map<ElementId, PatternMark>& marks() const { return m_marks; }
+    const PatternMeasures& measures() const { return m_measures; }
     const PatternTwins& twins() const { return m_twins; }
     const PatternTrims& trims() const { return m_trims; }
 
@@ -114,11 +116,12 @@ public:
     /// Of patches, of lines in them, and of the patches at seams; empty when none of the ids lies in the layout.
     Box2 boundingBox(const std::set<ElementId>& ids) const;
 
-    /// Points before lines before outlines before inside; upper patches before lower ones. `tolerance` in mm.
-    /// Points are hit only where `pointsShown`.
-    /// Lines are hit only where `lineShown`, marks if `marksShown`.
+    /// Points before marks and measurements before lines before outlines before inside; upper patches before lower
+    /// ones. `tolerance` in mm. Points are hit only where `pointsShown`.
+    /// Lines are hit only where `lineShown`, marks if `marksShown`, measurements if `measuresShown`.
     PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown,
-                   const std::function<bool(const PatternLine&)>& lineShown = {}, bool marksShown = false) const;
+                   const std::function<bool(const PatternLine&)>& lineShown = {}, bool marksShown = false,
+                   bool measuresShown = false) const;
 
 private:
     QColor colorShown(const Design& design, ElementId patch) const;
@@ -138,6 +141,7 @@ private:
     std::multimap<ElementId, PatternStretch> m_stretches;
     std::map<ElementId, PatternLine> m_lines;
     std::map<ElementId, PatternMark> m_marks;
+    PatternMeasures m_measures;
     PatternTwins m_twins;
     std::map<ElementId, QColor> m_fabricColors;
     PatternTrims m_trims;

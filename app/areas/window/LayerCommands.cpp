@@ -96,6 +96,12 @@ void LayerCommands::add()
                      .bar = 508,
                      .on = false,
                      .toggled = show},
+                    {.id = "layer.measurements",
+                     .text = tr("M&easurements"),
+                     .icon = "measure",
+                     .places = {"view.layers/1"},
+                     .on = true,
+                     .toggled = show},
                     {.id = "layer.labels",
                      .formerly = "labels",
                      .text = tr("&Labels"),
@@ -182,12 +188,14 @@ void LayerCommands::apply()
     layers.points = on("layer.points");
     layers.labels = on("layer.labels");
     layers.cutting = on("layer.cutting");
+    layers.measurements = on("layer.measurements");
     layers.handles = on("layer.handles");
     layers.fancySeams = on("layer.fancy-seams");
     layers.twins = on("layer.twins");
     layers.symmetry = on("layer.symmetry");
     m_pattern.shown().setLayers(layers);
 
+    m_surface.setMeasurementsShown(on("layer.measurements"));
     using Layer = CoverView::Layer;
     for (const auto& [layer, id] :
          {std::pair(Layer::Checker, "layer.checker"), std::pair(Layer::MeshEdges, "layer.mesh"),

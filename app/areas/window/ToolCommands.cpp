@@ -105,16 +105,18 @@ void ToolCommands::addInSurface(Commands& commands)
                       }});
 }
 
-/// Whoever begins a tool in one view has ended the one in the other.
+/// Whoever begins a tool in one view has ended the one in the other; only measuring goes on in both.
 void ToolCommands::connectViews(Commands& commands)
 {
     connect(&m_pattern, &PatternView::toolChanged, this, [this, &commands](PatternToolKind now) {
-        if (now != PatternToolKind::Select)
-            m_surface.setTool(CoverToolKind::Select);
+        if (now != PatternToolKind::Select || m_surface.tool() == CoverToolKind::Measure)
+            m_surface.setTool(now == PatternToolKind::Measure ? CoverToolKind::Measure : CoverToolKind::Select);
         commands.update();
     });
     connect(&m_surface, &CoverView::toolChanged, this, [this, &commands](CoverToolKind now) {
-        if (now != CoverToolKind::Select)
+        if (now == CoverToolKind::Measure)
+            m_pattern.setTool(PatternToolKind::Measure);
+        else if (now != CoverToolKind::Select || m_pattern.tool() == PatternToolKind::Measure)
             m_pattern.setTool(PatternToolKind::Select);
         commands.update();
     });
@@ -122,7 +124,9 @@ void ToolCommands::connectViews(Commands& commands)
 
 bool ToolCommands::isOn(PatternToolKind kind) const
 {
-    return m_surface.tool() == CoverToolKind::Select && m_pattern.tool() == kind;
+    const bool measures = kind == PatternToolKind::Measure;
+    return m_surface.tool() == (measures ? CoverToolKind::Measure : CoverToolKind::Select) &&
+           m_pattern.tool() == kind;
 }
 
 /// Or ends it, when it is the present one.

@@ -7,6 +7,7 @@
 #include "EditBuilder.h"
 #include "OutlineCrossings.h"
 #include "OutlinePlaces.h"
+#include "PatchPoints.h"
 #include "PlaneCurves.h"
 #include "StretchRemap.h"
 #include "Twins.h"
@@ -179,12 +180,13 @@ private:
 
     std::optional<Message> turnWhatLiesInside()
     {
-        m_design.each<DrillHole>([&](ElementId id, DrillHole hole) {
-            if (hole.place.patch != m_id || side(hole.place.position) <= 0)
-                return;
-            hole.place.position = m_turn * hole.place.position;
-            m_builder.replace(id, std::move(hole));
-        });
+        movePatchPoints(
+            m_design.elements(), m_id,
+            [&](PatchPoint& point) {
+                if (side(point.position) > 0)
+                    point.position = m_turn * point.position;
+            },
+            [&](ElementId id, ElementPtr moved) { m_builder.set(id, std::move(moved)); });
         for (const auto& [id, element] : m_design.elements()) {
             const PatchCurve* drawn = patchCurve(*element);
             if (!drawn || drawn->patch != m_id || drawn->curve.empty())

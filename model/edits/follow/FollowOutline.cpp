@@ -3,6 +3,7 @@
 
 #include "EditHelpers.h"
 #include "OutlinePlaces.h"
+#include "PatchPoints.h"
 #include "TwinEdits.h"
 
 #include <algorithm>
@@ -78,6 +79,26 @@ ElementPtr followed(const OutlinePlaces& places, const BSpline2& outline, const 
     return withPlaneCurve(*now, curve.withPoints(std::move(points)));
 }
 
+/// The element with the points that lie on outlines, and that the edit did not move itself, where they are now.
+ElementPtr followedPoints(const std::map<ElementId, OutlinePlaces>& outlines, const Design& now,
+                          const Element& before, const ElementPtr& element)
+{
+    std::vector<PatchPoint> old;
+    eachPatchPoint(before, [&](const PatchPoint& point) { old.push_back(point); });
+    Element moved = *element;
+    std::size_t next = 0;
+    eachPatchPoint(moved, [&](PatchPoint& point) {
+        const std::size_t i = next++;
+        const auto places = outlines.find(point.patch);
+        if (places == outlines.end() || i >= old.size() || old[i] != point)
+            return;
+        const BSpline2& outline = now.find<Patch>(point.patch)->outline;
+        if (const auto t = places->second.parameter(point.position))
+            point.position = outline.at(outline.wrapped(*t));
+    });
+    return moved == *element ? nullptr : makeElement(std::move(moved));
+}
+
 /// Whether the edit is a cut or a joint: patches come or go while others get other knots.
 bool addsOrRemovesPatches(const Design& before, const Edit& edit)
 {
@@ -110,17 +131,22 @@ Edit withWhatLiesOnOutlines(const Design& before, Edit edit)
     if (outlines.empty())
         return edit;
     const Design now = before.with(edit);
+    const auto take = [&](ElementId id, const ElementPtr& old, ElementPtr moved) {
+        std::erase_if(edit.changes, [id](const Change& change) { return change.id == id; });
+        edit.changes.push_back({id, old, std::move(moved)});
+    };
     for (const auto& [id, element] : now.elements()) {
+        if (const ElementPtr old = before.element(id); old && old->index() == element->index())
+            if (ElementPtr moved = followedPoints(outlines, now, *old, element))
+                take(id, old, std::move(moved));
         const PatchCurve* drawn = patchCurve(*element);
         const ElementPtr old = drawn ? before.element(id) : nullptr;
         const auto places = drawn ? outlines.find(drawn->patch) : outlines.end();
         if (places == outlines.end() || !old || old->index() != element->index() ||
             patchCurve(*old)->patch != drawn->patch)
             continue;
-        if (ElementPtr moved = followed(places->second, now.find<Patch>(drawn->patch)->outline, *old, element)) {
-            std::erase_if(edit.changes, [id = id](const Change& change) { return change.id == id; });
-            edit.changes.push_back({id, old, std::move(moved)});
-        }
+        if (ElementPtr moved = followed(places->second, now.find<Patch>(drawn->patch)->outline, *old, element))
+            take(id, old, std::move(moved));
     }
     return edit;
 }

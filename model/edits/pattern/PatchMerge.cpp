@@ -4,6 +4,7 @@
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "OutlinePlaces.h"
+#include "PatchPoints.h"
 #include "PlaneCurves.h"
 #include "SeamEdits.h"
 #include "SewnMirror.h"
@@ -234,12 +235,12 @@ void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& 
                             },
                             *moved));
     }
-    design.each<DrillHole>([&](ElementId id, DrillHole hole) {
-        if (hole.place.patch != from)
-            return;
-        hole.place = {to, map * hole.place.position};
-        builder.replace(id, std::move(hole));
-    });
+    movePatchPoints(
+        design.elements(), from,
+        [&](PatchPoint& point) {
+            point = {to, map * point.position};
+        },
+        [&](ElementId id, ElementPtr moved) { builder.set(id, std::move(moved)); });
     design.each<Cushion>([&](ElementId id, Cushion cushion) {
         if (std::erase(cushion.patches, from) == 0)
             return;

@@ -5,6 +5,7 @@
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "OutlineCrossings.h"
+#include "PatchPoints.h"
 #include "PlaneCurves.h"
 #include "StretchRemap.h"
 #include "Twins.h"
@@ -67,12 +68,13 @@ public:
         for (const auto& [id, element] : m_design.elements())
             if (const PatchCurve* drawn = patchCurve(*element); drawn && drawn->patch == m_id)
                 divide(id, *element, outcome.dropped);
-        m_design.each<DrillHole>([&](ElementId id, DrillHole hole) {
-            if (hole.place.patch != m_id || side(hole.place.position) != 1)
-                return;
-            hole.place.patch = m_small.id;
-            m_builder.replace(id, std::move(hole));
-        });
+        movePatchPoints(
+            m_design.elements(), m_id,
+            [&](PatchPoint& point) {
+                if (side(point.position) == 1)
+                    point.patch = m_small.id;
+            },
+            [&](ElementId id, ElementPtr moved) { m_builder.set(id, std::move(moved)); });
         m_design.each<Cushion>([&](ElementId id, Cushion cushion) {
             if (std::ranges::find(cushion.patches, m_id) == cushion.patches.end())
                 return;

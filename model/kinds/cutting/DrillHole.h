@@ -1,19 +1,11 @@
 // A hole that is drilled through the stack of cut fabric: a mark for pockets, buttons, ties.
 #pragma once
 
-#include "ElementId.h"
-#include "Geometry.h"
+#include "PatchPoint.h"
 
 #include <string>
 
 namespace bolster {
-
-struct PatchPoint {
-    ElementId patch{};
-    Vec2 position = Vec2::Zero(); ///< outline coordinates, mm
-
-    friend bool operator==(const PatchPoint&, const PatchPoint&) = default;
-};
 
 struct DrillHole {
     std::string name;

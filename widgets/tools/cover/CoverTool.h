@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CoverHit.h"
+#include "PatchPoint.h"
 #include "ViewTool.h"
 
 namespace bolster {
@@ -20,6 +21,9 @@ public:
     virtual std::optional<Vec3> scanPoint(ElementId scan, QPointF pixel) const = 0;
     /// The nearest place on a frame or on the cover (`on`).
     virtual std::optional<CoverFoot> nearest(const Vec3& point, CoverHit::Kind on) const = 0;
+    /// The same point of the cover (mm) and of the pattern; nothing where there is no cover.
+    virtual std::optional<Vec3> onCover(const PatchPoint& point) const = 0;
+    virtual std::optional<PatchPoint> inPattern(const CoverHit& solid) const = 0;
     /// Of what is shown of an element with a placement; its position when nothing is.
     virtual Vec3 middleOf(ElementId id) const = 0;
 };

@@ -142,11 +142,9 @@ Edit MarkTool::edit(const Target& target, Message& problem) const
         return edits::addNotch(design, {target.patch, target.at}, design.settings().cutting.notches.shape,
                                &problem);
     case MarkKind::DrillHole: {
-        int count = 1;
-        design.each<DrillHole>([&](ElementId, const DrillHole&) { ++count; });
         const Patch& patch = *design.find<Patch>(target.patch);
         return edits::addDrillHole(design, {target.patch, fromLayout(patch, target.place)},
-                                   tr("Hole %1").arg(count).toStdString(), &problem);
+                                   tr("Hole %1").arg(design.count<DrillHole>() + 1).toStdString(), &problem);
     }
     case MarkKind::EdgeAllowance: {
         if (m_typed.open())

@@ -1,10 +1,14 @@
 #include "MeasureTool.h"
 
 #include "CurvePath.h"
+#include "Document.h"
+#include "DrawingKeys.h"
+#include "KeptMeasure.h"
 #include "PatchDrawingTool.h"
 #include "SnapHints.h"
 #include "Units.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 
 #include <cmath>
@@ -54,6 +58,45 @@ std::optional<MeasureTool::Edge> MeasureTool::edgeAt(const PatternPointer& point
     return std::nullopt;
 }
 
+/// The patch it lies in, or on the outline of which it was snapped.
+std::optional<PatchPoint> MeasureTool::inPatch(const Vec2& layout) const
+{
+    const PatternHit hit =
+        m_context.scene().hit(layout, m_context.transform().millimetres(1), [](ElementId) { return false; });
+    const PatternPatch* patch = m_context.scene().patch(hit.patch);
+    if (!patch)
+        return std::nullopt;
+    return PatchPoint{hit.patch, fromLayout(patch->patch(), layout)};
+}
+
+bool MeasureTool::wants(int key) const
+{
+    return isEnterKey(key) && m_second;
+}
+
+bool MeasureTool::keyPress(const QKeyEvent& event)
+{
+    if (!isEnterKey(event.key()) || !m_second)
+        return false;
+    const auto from = inPatch(*m_first), to = inPatch(*m_second);
+    if (!from || !to) {
+        m_context.report(tr("Only a measurement between two points of patches can be kept."));
+        return true;
+    }
+    keepMeasure(m_context, *from, *to);
+    m_first.reset();
+    m_second.reset();
+    m_context.refresh();
+    return true;
+}
+
+ToolKeys MeasureTool::keys() const
+{
+    if (!m_second)
+        return {};
+    return {{Qt::Key_Return, tr("&Keep the measurement")}};
+}
+
 bool MeasureTool::escape()
 {
     if (m_first) {
@@ -96,9 +139,13 @@ QString MeasureTool::prompt() const
     if (m_edge)
         return tr("This edge is %1 long \u2013 click for a point to measure from")
             .arg(lengthText(m_edge->length, 2));
+    if (m_second)
+        return tr("%1 \u2013 Enter keeps the measurement, a click begins anew")
+            .arg(figures().join(QStringLiteral(", ")));
     if (m_first && end())
         return figures().join(QStringLiteral(", "));
-    return tr("Click two points to measure, or point at an outline \u2013 Esc ends the tool");
+    return tr("Click two points of the pattern or of the cover to measure, or point at an outline \u2013 Esc ends "
+              "the tool");
 }
 
 void MeasureTool::paint(QPainter& painter, const ViewColors& colors) const

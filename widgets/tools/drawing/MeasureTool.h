@@ -1,6 +1,7 @@
 // Measures distances in the layout and lengths of edges.
 #pragma once
 
+#include "PatchPoint.h"
 #include "PatternTool.h"
 
 #include <QCoreApplication>
@@ -8,7 +9,8 @@
 namespace bolster {
 
 /// Two clicks measure from point to point; over an outline it says how long the edge between two corners is. A
-/// third click begins anew. Escape gives up the measure, then the tool.
+/// third click begins anew. Enter keeps the measure in the design, where both points are of patches. Escape gives
+/// it up, then the tool.
 class MeasureTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(MeasureTool)
 
@@ -17,6 +19,9 @@ public:
 
     void press(const PatternPointer& pointer) override;
     void move(const PatternPointer& pointer) override;
+    bool keyPress(const QKeyEvent& event) override;
+    bool wants(int key) const override;
+    ToolKeys keys() const override;
     bool escape() override;
     void leave() override;
 
@@ -32,6 +37,7 @@ private:
     std::optional<Edge> edgeAt(const PatternPointer& pointer) const;
     std::optional<Vec2> end() const;
     QStringList figures() const;
+    std::optional<PatchPoint> inPatch(const Vec2& layout) const;
 
     std::optional<Vec2> m_first;
     std::optional<Vec2> m_second;

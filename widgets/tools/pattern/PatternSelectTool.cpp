@@ -135,6 +135,8 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
                    : nullptr;
     case PatternHit::Kind::Mark:
         return selection.contains(m_pressedHit.seam) ? dragMark(m_context, *m_pressed, m_pressedHit.seam) : nullptr;
+    case PatternHit::Kind::Measure:
+        return nullptr;
     case PatternHit::Kind::Line:
         return selection.contains(m_pressedHit.seam)
                    ? dragPoints(m_context, *m_pressed, allPoints(m_pressedHit.seam))
@@ -400,6 +402,8 @@ QString PatternSelectTool::prompt() const
     }
     case PatternHit::Kind::Mark:
         return tr("Click to select it, drag to move it, Delete removes it");
+    case PatternHit::Kind::Measure:
+        return tr("Click to select the measurement, Delete removes it");
     case PatternHit::Kind::Line:
         return tr("Click to select the curve, drag to move it, double click to add a control point here");
     case PatternHit::Kind::Inside:
@@ -430,6 +434,7 @@ QCursor PatternSelectTool::cursor() const
         return Qt::SizeAllCursor;
     case PatternHit::Kind::Outline:
     case PatternHit::Kind::Line:
+    case PatternHit::Kind::Measure:
         return Qt::PointingHandCursor;
     case PatternHit::Kind::Inside:
     case PatternHit::Kind::Nothing:

@@ -139,6 +139,17 @@ std::optional<CoverFoot> CoverToolHost::nearest(const Vec3& point, CoverHit::Kin
     return m_shown.hits().nearest(point, on);
 }
 
+std::optional<Vec3> CoverToolHost::onCover(const PatchPoint& point) const
+{
+    return m_shown.onCover({point.patch, point.position});
+}
+
+std::optional<PatchPoint> CoverToolHost::inPattern(const CoverHit& solid) const
+{
+    const std::optional<CoverPoint> found = m_shown.inPattern(solid);
+    return found ? std::optional(PatchPoint{found->patch, found->outline}) : std::nullopt;
+}
+
 Vec3 CoverToolHost::middleOf(ElementId id) const
 {
     return m_shown.middleOf(id);

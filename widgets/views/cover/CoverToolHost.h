@@ -48,6 +48,8 @@ private:
     CoverHit solid(QPointF pixel) const override;
     std::optional<Vec3> scanPoint(ElementId scan, QPointF pixel) const override;
     std::optional<CoverFoot> nearest(const Vec3& point, CoverHit::Kind on) const override;
+    std::optional<Vec3> onCover(const PatchPoint& point) const override;
+    std::optional<PatchPoint> inPattern(const CoverHit& solid) const override;
     Vec3 middleOf(ElementId id) const override;
 
     ShownScene& m_shown;

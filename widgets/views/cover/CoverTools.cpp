@@ -1,5 +1,6 @@
 #include "CoverTools.h"
 
+#include "CoverMeasureTool.h"
 #include "CoverSelectTool.h"
 #include "FixationDrawTool.h"
 
@@ -9,6 +10,8 @@ std::unique_ptr<CoverTool> makeSurfaceTool(CoverToolKind kind, CoverToolContext&
 {
     if (kind == CoverToolKind::DrawFixation)
         return std::make_unique<FixationDrawTool>(context);
+    if (kind == CoverToolKind::Measure)
+        return std::make_unique<CoverMeasureTool>(context);
     return std::make_unique<CoverSelectTool>(context);
 }
 

@@ -8,7 +8,7 @@
 
 namespace bolster {
 
-enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation, FixEdge, PaintArea };
+enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation, FixEdge, PaintArea, Measure };
 
 std::unique_ptr<CoverTool> makeSurfaceTool(CoverToolKind kind, CoverToolContext& context);
 

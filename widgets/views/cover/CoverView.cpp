@@ -28,6 +28,7 @@ CoverView::CoverView(Document& document, Selection& selection, QWidget* parent)
     , m_canvas(m_shown.scene(), m_navigation.camera(), *this)
     , m_section(m_shown, m_navigation.camera(), *this)
     , m_crosshair(m_shown, m_navigation.camera(), *this)
+    , m_measures(new CoverMeasures(document, selection, m_shown, m_navigation.camera(), this))
     , m_tools(document, selection, m_shown, m_navigation.camera(), m_section.handle(), *this)
     , m_cube(new ViewCube(this))
     , m_legend(new MapLegend(this))
@@ -164,6 +165,7 @@ void CoverView::cameraMoved()
     if (m_shown.scene().section || !m_tools.tool().guides().empty())
         m_shown.updateMarks(); // handles keep their size in the picture
     m_crosshair.place();
+    m_measures->refresh();
     draw(true);
 }
 
@@ -207,6 +209,7 @@ void CoverView::resizeEvent(QResizeEvent* event)
     m_legend->place();
     m_section.place();
     m_crosshair.place();
+    m_measures->refresh();
     m_cube->move(width() - m_cube->width() - cubeMargin, cubeMargin);
     m_cube->setVisible(width() > 3 * m_cube->width() && height() > 2 * m_cube->height());
     m_navigation.catchUp();

@@ -4,6 +4,7 @@
 #include "CameraDrag.h"
 #include "CanvasChoice.h"
 #include "CoverCrosshair.h"
+#include "CoverMeasures.h"
 #include "CoverNavigation.h"
 #include "CoverToolHost.h"
 #include "SceneVisibility.h"
@@ -73,6 +74,7 @@ public:
     void setSectionShown(bool shown) { m_section.setOn(shown); }
     /// A cross-hair where the point lies on the cover; nothing takes it away.
     void showPlace(const std::optional<bolster::CoverPoint>& point) { m_crosshair.show(point); }
+    void setMeasurementsShown(bool shown) { m_measures->setWanted(shown); }
     /// Moves the picture if the point is not in it.
     void reveal(const bolster::CoverPoint& point);
 
@@ -154,6 +156,7 @@ private:
     CanvasChoice m_canvas;
     SectionControl m_section;
     CoverCrosshair m_crosshair;
+    CoverMeasures* m_measures;
     CoverToolHost m_tools;
     ViewCube* m_cube;
     MapLegend* m_legend;

@@ -124,7 +124,7 @@ PatternHit ShownPattern::hit(const PatternTransform& transform, QPointF pixel) c
     return m_scene.hit(
         transform.toLayout(pixel), transform.millimetres(grabRadius),
         [&](ElementId id) { return pointsShown(id, transform); },
-        [this](const PatternLine& line) { return m_layers.shows(line); }, m_layers.cutting);
+        [this](const PatternLine& line) { return m_layers.shows(line); }, m_layers.cutting, m_layers.measurements);
 }
 
 PatternHit ShownPattern::hitBadge(QPointF pixel) const
