@@ -247,6 +247,29 @@
     </message>
 </context>
 <context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>Hier ist kein Bezug: klicken Sie auf den Bezug.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>Maß &amp;behalten</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Eingabe behält das Maß, ein Klick beginnt neu</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>Den zweiten Punkt auf dem Bezug anklicken – Esc gibt es auf</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>Zwei Punkte des Bezugs oder des Schnitts zum Messen anklicken – Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>Ecke von %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>%1 Maße</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>Zur Oberfläche: Der Bezug darf an ihr entlang gleiten. Zu den Punkten: Er darf es nicht; das passt zu Scans mit wenigen Punkten.</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>Für alle, die am Entwurf arbeiten: ändert weder den Bezug noch was geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>Zeile auf dem Etikett</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2750,6 +2801,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>Maß %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2848,6 +2906,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>Schnittlinien, Knipse und &amp;Beschriftungen</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>Ma&amp;ße</translation>
     </message>
 </context>
 <context>
@@ -3001,12 +3063,47 @@
         <translation>Diese Kante ist %1 lang – klicken, um von einem Punkt aus zu messen</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>Zwei Punkte zum Messen anklicken oder auf einen Umriss zeigen – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>Kante: %1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>Behalten lässt sich nur ein Maß zwischen zwei Punkten von Schnittteilen.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>Maß &amp;behalten</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Eingabe behält das Maß, ein Klick beginnt neu</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>Zwei Punkte des Schnitts oder des Bezugs zum Messen anklicken oder auf einen Umriss zeigen – Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Im Schnitt</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>zwei Schnittteile</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>Die 3D-Ansicht zeigt, wie lang es auf dem Bezug ist.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5769,6 @@
         <translation>Der Ordner „%1“ kann nicht angelegt werden.</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>Der Ordner „%1“ enthält die Stichproben eines anderen Entwurfs oder anderer Toleranzen: Wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Den Schnitt einer Form machen</translation>
     </message>
@@ -5772,10 +5865,6 @@
         <translation>Naht von %1 und %2 scharf lassen</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>Der Ordner „%1“ enthält andere Dateien: Stichproben brauchen einen eigenen.</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 hat keine Länge: Dort wird nicht geschnitten</translation>
     </message>
@@ -5806,6 +5895,26 @@
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
         <translation>„%1“ steht dort zweimal; entfernen Sie eine der Zeilen aus der Datei oder exportieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>Notiz von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>Maß %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>es liegt nicht mehr in „%1“; messen Sie neu</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>Der Ordner „%1“ enthält andere Dateien: wählen Sie einen eigenen.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>Der Ordner „%1“ enthält die Arbeit eines anderen Entwurfs oder anderer Optionen: wählen Sie einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
@@ -6140,6 +6249,10 @@
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>Klick wählt aus, ein aufgezogener Rahmen wählt mehrere aus – Ansicht verschieben: %1 oder Leertaste, zoomen: %2</translation>
+    </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Klicken wählt das Maß aus, Entf entfernt es</translation>
     </message>
 </context>
 <context>
@@ -8276,6 +8389,10 @@
     <message>
         <source>Elements</source>
         <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>Nach dem Namen oder einem Wort der Notiz</translation>
     </message>
 </context>
 <context>

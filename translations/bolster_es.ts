@@ -247,6 +247,29 @@
     </message>
 </context>
 <context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>Aquí no hay funda: haga clic en la funda.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>&amp;Conservar la medida</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Intro conserva la medida, un clic empieza de nuevo</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>Haga clic en el segundo punto de la funda – Esc lo abandona</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>Haga clic en dos puntos de la funda o del patrón para medir – Esc sale de la herramienta</translation>
+    </message>
+</context>
+<context>
     <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>Esquina de %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Medida</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>%1 medidas</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>A su superficie: la funda puede deslizarse por ella. A sus puntos: no puede, lo que conviene a escaneos con pocos puntos.</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>Para quien trabaje en el diseño: no cambia ni la funda ni lo que se corta</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>Línea en la etiqueta</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2750,6 +2801,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>Medida %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2848,6 +2906,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>Líneas de corte, pi&amp;quetes y etiquetas</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>M&amp;edidas</translation>
     </message>
 </context>
 <context>
@@ -3001,12 +3063,47 @@
         <translation>Este borde mide %1 — haga clic para medir desde un punto</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>Haga clic en dos puntos para medir o señale un contorno — Esc sale de la herramienta</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>Borde: %1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>Solo se puede conservar una medida entre dos puntos de piezas.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>&amp;Conservar la medida</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Intro conserva la medida, un clic empieza de nuevo</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>Haga clic en dos puntos del patrón o de la funda para medir, o señale un contorno – Esc sale de la herramienta</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>En el patrón</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>dos piezas</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>La vista 3D dice cuánto mide en la funda.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5769,6 @@
         <translation>No se puede crear la carpeta «%1».</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>La carpeta «%1» contiene el barrido de otro diseño o de otras tolerancias: elija otra carpeta.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Hacer el patrón de una forma</translation>
     </message>
@@ -5772,10 +5865,6 @@
         <translation>Dejar marcada la costura de %1 y %2</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>La carpeta «%1» contiene otros archivos: un barrido necesita una propia.</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 no tiene longitud: no se corta por ahí</translation>
     </message>
@@ -5806,6 +5895,26 @@
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
         <translation>«%1» aparece ahí dos veces; quite una de las líneas del archivo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>Cambiar la nota de %1</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>Añadir medida %1</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>ya no está en «%1»; mida de nuevo</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>La carpeta «%1» contiene otros archivos: elija una propia.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>La carpeta «%1» contiene el trabajo de otro diseño o de otras opciones: elija otra carpeta.</translation>
     </message>
 </context>
 <context>
@@ -6140,6 +6249,10 @@
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>Clic para seleccionar, arrastrar un marco para seleccionar varios — %1 o Espacio desplaza, %2 amplía</translation>
+    </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Clic para seleccionar la medida, Supr la elimina</translation>
     </message>
 </context>
 <context>
@@ -8276,6 +8389,10 @@
     <message>
         <source>Elements</source>
         <translation>Elementos</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>Por su nombre o por una palabra de su nota</translation>
     </message>
 </context>
 <context>

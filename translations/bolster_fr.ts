@@ -5,7 +5,7 @@
     <name>AreaBrushTool</name>
     <message>
         <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
-        <translation>Glissez sur la housse pour peindre la zone ; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
+        <translation>Glissez sur la housse pour peindre la zone&#x202f;; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
     </message>
 </context>
 <context>
@@ -244,6 +244,29 @@
     <message>
         <source>This needs the cover of the present design: let the solver go on first (Pause).</source>
         <translation>Cela demande la housse du modèle actuel&#x202f;: laissez d’abord le calcul continuer (Pause).</translation>
+    </message>
+</context>
+<context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>Il n’y a pas de housse ici&#x202f;: cliquez sur la housse.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>&amp;Garder la mesure</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Entrée garde la mesure, un clic recommence</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>Cliquez le second point sur la housse – Échap abandonne</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>Cliquez deux points de la housse ou du patron pour mesurer – Échap quitte l’outil</translation>
     </message>
 </context>
 <context>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>Coin de %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>%1 mesures</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>Vers sa surface&#x202f;: la housse peut glisser dessus. Vers ses points&#x202f;: elle ne le peut pas, ce qui convient aux scans à peu de points.</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>Pour ceux qui travaillent sur le projet&#x202f;: ne change ni la housse ni ce qui est coupé</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>Ligne sur l’étiquette</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2750,6 +2801,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>Mesure %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2848,6 +2906,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>Lignes de coupe, crans et ét&amp;iquettes</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>M&amp;esures</translation>
     </message>
 </context>
 <context>
@@ -3001,12 +3063,47 @@
         <translation>Ce bord mesure %1 – cliquez pour mesurer à partir d’un point</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>Cliquez deux points à mesurer, ou pointez un contour – Échap quitte l’outil</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>Bord&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>Seule une mesure entre deux points de pièces peut être gardée.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>&amp;Garder la mesure</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Entrée garde la mesure, un clic recommence</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>Cliquez deux points du patron ou de la housse pour mesurer, ou pointez un contour – Échap quitte l’outil</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Dans le patron</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>deux pièces</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>La vue 3D indique sa longueur sur la housse.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5769,6 @@
         <translation>Impossible de créer le dossier «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>Le dossier «&#x202f;%1&#x202f;» contient le balayage d’un autre modèle ou d’autres tolérances&#x202f;: choisissez un autre dossier.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Faire le patron d’une forme</translation>
     </message>
@@ -5772,10 +5865,6 @@
         <translation>Laisser vive la couture de %1 et %2</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>Le dossier «&#x202f;%1&#x202f;» contient d’autres fichiers&#x202f;: un balayage demande son propre dossier.</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 n’a pas de longueur&#x202f;: il n’y a pas de coupe à cet endroit</translation>
     </message>
@@ -5797,15 +5886,35 @@
     </message>
     <message>
         <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
-        <translation>le disque de « %1 » est plein ; faites-y de la place et changez encore un réglage : tous sont alors conservés</translation>
+        <translation>le disque de « %1 » est plein&#x202f;; faites-y de la place et changez encore un réglage&#x202f;: tous sont alors conservés</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
-        <translation>« %1 » n’a pas pu être écrit ; donnez-vous le droit d’y écrire ainsi que dans son dossier, puis changez encore un réglage : tous sont alors conservés</translation>
+        <translation>« %1 » n’a pas pu être écrit&#x202f;; donnez-vous le droit d’y écrire ainsi que dans son dossier, puis changez encore un réglage&#x202f;: tous sont alors conservés</translation>
     </message>
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
-        <translation>« %1 » y figure deux fois ; supprimez l’une des lignes du fichier, ou exportez-le à nouveau</translation>
+        <translation>« %1 » y figure deux fois&#x202f;; supprimez l’une des lignes du fichier, ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>Modifier la note de %1</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>Ajouter la mesure %1</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>elle n’est plus dans «&#x202f;%1&#x202f;»&#x202f;; mesurez de nouveau</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>Le dossier « %1 » contient d’autres fichiers : choisissez-en un à part.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>Le dossier « %1 » contient le travail d’un autre projet ou d’autres options : choisissez un autre dossier.</translation>
     </message>
 </context>
 <context>
@@ -6141,6 +6250,10 @@
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>Cliquez pour sélectionner, tracez un cadre pour en sélectionner plusieurs – déplacer la vue&#x202f;: %1 ou Espace, zoomer&#x202f;: %2</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Cliquez pour sélectionner la mesure, Suppr la supprime</translation>
+    </message>
 </context>
 <context>
     <name>PatternSplitTool</name>
@@ -6253,7 +6366,7 @@
     </message>
     <message>
         <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
-        <translation>Les préférences n’ont pas pu être enregistrées : elles ne valent que jusqu’à la fermeture de Bolster.</translation>
+        <translation>Les préférences n’ont pas pu être enregistrées&#x202f;: elles ne valent que jusqu’à la fermeture de Bolster.</translation>
     </message>
 </context>
 <context>
@@ -7899,7 +8012,7 @@
     <name>bolster::AreaRow</name>
     <message>
         <source> %</source>
-        <translation> %</translation>
+        <translation>&#x202f;%</translation>
     </message>
     <message>
         <source>Onl&amp;y in a painted area</source>
@@ -7919,7 +8032,7 @@
     </message>
     <message>
         <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
-        <translation>Glissez sur la housse dans la vue 3D ; avec Maj enfoncée, cela retire</translation>
+        <translation>Glissez sur la housse dans la vue 3D&#x202f;; avec Maj enfoncée, cela retire</translation>
     </message>
     <message>
         <source>Radius of the brush</source>
@@ -8276,6 +8389,10 @@
     <message>
         <source>Elements</source>
         <translation>Éléments</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>Par son nom, ou par un mot de sa note</translation>
     </message>
 </context>
 <context>
@@ -10368,7 +10485,7 @@
     </message>
     <message>
         <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>Les côtés des coutures peuvent devenir de longueurs différentes ; c’est alors l’embu voulu</translation>
+        <translation>Les côtés des coutures peuvent devenir de longueurs différentes&#x202f;; c’est alors l’embu voulu</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -10501,7 +10618,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
-        <translation>« %1 » n’est pas un dossier de cette machine : le dossier de vos tissus reste inchangé.</translation>
+        <translation>« %1 » n’est pas un dossier de cette machine&#x202f;: le dossier de vos tissus reste inchangé.</translation>
     </message>
 </context>
 <context>

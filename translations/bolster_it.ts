@@ -247,6 +247,29 @@
     </message>
 </context>
 <context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>Qui non c’è rivestimento: fare clic sul rivestimento.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>&amp;Mantieni la misura</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Invio mantiene la misura, un clic ricomincia</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>Fare clic sul secondo punto del rivestimento – Esc rinuncia</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>Fare clic su due punti del rivestimento o del cartamodello per misurare – Esc chiude lo strumento</translation>
+    </message>
+</context>
+<context>
     <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>Angolo di %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Misura</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Misure</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>%1 misure</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>Alla superficie: il rivestimento può scorrervi sopra. Ai punti: non può, il che si addice a scansioni con pochi punti.</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>Per chi lavora al progetto: non cambia né il rivestimento né ciò che si taglia</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>Riga sull’etichetta</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2750,6 +2801,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>Misura %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2848,6 +2906,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>Linee di taglio, tacc&amp;he ed etichette</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>Misur&amp;e</translation>
     </message>
 </context>
 <context>
@@ -3001,12 +3063,47 @@
         <translation>Questo lato è lungo %1 – clic per un punto da cui misurare</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>Fare clic su due punti da misurare o indicare un contorno – Esc chiude lo strumento</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>Lato: %1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>Si può mantenere solo una misura tra due punti di pezzi.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>&amp;Mantieni la misura</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Invio mantiene la misura, un clic ricomincia</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>Fare clic su due punti del cartamodello o del rivestimento per misurare, o puntare un contorno – Esc chiude lo strumento</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Nel cartamodello</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>due pezzi</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>La vista 3D dice quanto misura sul rivestimento.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5769,6 @@
         <translation>Impossibile creare la cartella «%1».</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>La cartella «%1» contiene il campionamento di un altro modello o di altre tolleranze: scegliere un’altra cartella.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Crea il cartamodello di una forma</translation>
     </message>
@@ -5772,10 +5865,6 @@
         <translation>Lascia viva la cucitura di %1 e %2</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>La cartella «%1» contiene altri file: un campionamento richiede una cartella propria.</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 non ha lunghezza: lì non si taglia</translation>
     </message>
@@ -5806,6 +5895,26 @@
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
         <translation>«%1» vi compare due volte; togli una delle righe dal file o esportalo di nuovo</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>Modifica la nota di %1</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>Aggiungi misura %1</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>non si trova più in «%1»; misurare di nuovo</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>La cartella «%1» contiene altri file: sceglierne una apposita.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>La cartella «%1» contiene il lavoro di un altro progetto o di altre opzioni: scegliere un’altra cartella.</translation>
     </message>
 </context>
 <context>
@@ -6140,6 +6249,10 @@
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>Clic per selezionare, trascinare un riquadro per selezionare più elementi – %1 o Spazio sposta la vista, %2 esegue lo zoom</translation>
+    </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Clic per selezionare la misura, Canc la rimuove</translation>
     </message>
 </context>
 <context>
@@ -8276,6 +8389,10 @@
     <message>
         <source>Elements</source>
         <translation>Elementi</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>Per nome, o per una parola della nota</translation>
     </message>
 </context>
 <context>

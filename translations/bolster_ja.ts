@@ -247,6 +247,29 @@
     </message>
 </context>
 <context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>ここにカバーはありません。カバーをクリックしてください。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>測定を残す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1。Enter で測定を残す、クリックで測り直し</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>カバー上の 2 点目をクリック。Esc で取り消し</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>カバーまたは型紙の 2 点をクリックして測定。Esc でツールを終了</translation>
+    </message>
+</context>
+<context>
     <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>%1 の角</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>測定 %1 個</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>面へ: カバーは面に沿って滑れます。点へ: 滑れません。点の少ないスキャンに向きます。</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>デザインを扱う人のためのメモ。カバーにも裁断にも影響しません</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>ラベルの行</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>始点</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終点</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2746,6 +2797,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>測定 %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2844,6 +2902,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>裁断線、ノッチ、ラベル(&amp;B)</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>測定(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -2997,12 +3059,47 @@
         <translation>この辺の長さは %1。クリックで測定の始点を指定</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>測る 2 点をクリックするか、輪郭を指す。Esc でツールを終了</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>辺: %1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>残せるのはパーツの 2 点間の測定だけです。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>測定を残す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1。Enter で測定を残す、クリックで測り直し</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>型紙またはカバーの 2 点をクリックして測定するか、輪郭をポイント。Esc でツールを終了</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>始点</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終点</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>型紙上</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>2 つのパーツ</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>カバー上の長さは 3D ビューに表示されます。</translation>
     </message>
 </context>
 <context>
@@ -5668,10 +5765,6 @@
         <translation>フォルダー「%1」を作成できません。</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>フォルダー「%1」には別のデザインまたは別の公差のスイープがあります。別のフォルダーを選んでください。</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>形状から型紙を作成</translation>
     </message>
@@ -5768,10 +5861,6 @@
         <translation>%1 と %2 の縫い目を鋭くする</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>フォルダー「%1」には他のファイルがあります。スイープには専用のフォルダーが必要です。</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 には長さがないため、これに沿って切りません</translation>
     </message>
@@ -5802,6 +5891,26 @@
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
         <translation>「%1」が 2 回あります。ファイルから 1 行を消すか、もう一度書き出してください</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>%1 のメモを変更</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>測定 %1 を追加</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>「%1」の中にありません。測り直してください</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>フォルダー「%1」には他のファイルがあります。専用のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>フォルダー「%1」には別のデザインまたは別のオプションの結果があります。別のフォルダーを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -6136,6 +6245,10 @@
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>クリックで選択、範囲のドラッグで複数選択。%1か Space で表示を移動、%2でズーム</translation>
+    </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>クリックで測定を選択、Delete で削除</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8383,10 @@
     <message>
         <source>Elements</source>
         <translation>要素</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>名前またはメモの語で検索</translation>
     </message>
 </context>
 <context>

@@ -247,6 +247,29 @@
     </message>
 </context>
 <context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>Nie ma tu pokrowca: kliknij pokrowiec.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>Za&amp;chowaj pomiar</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Enter zachowuje pomiar, kliknięcie zaczyna od nowa</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>Kliknij drugi punkt na pokrowcu – Esc rezygnuje</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>Kliknij dwa punkty pokrowca lub wykroju, aby zmierzyć – Esc kończy</translation>
+    </message>
+</context>
+<context>
     <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>Róg: %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Pomiar</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Pomiary</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>pomiary: %1</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>Do powierzchni: pokrowiec może się po niej ślizgać. Do punktów: nie może, co odpowiada skanom z małą liczbą punktów.</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>Dla pracujących nad projektem: nie zmienia ani pokrowca, ani tego, co się kroi</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>Wiersz na etykiecie</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Do</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2754,6 +2805,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>Pomiar %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2852,6 +2910,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>&amp;Linie cięcia, nacięcia i opisy</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>Pomiar&amp;y</translation>
     </message>
 </context>
 <context>
@@ -3005,12 +3067,47 @@
         <translation>Ta krawędź ma długość %1 – kliknij punkt, od którego mierzyć</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>Kliknij dwa punkty do zmierzenia lub wskaż kontur – Esc kończy</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>Krawędź: %1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>Zachować można tylko pomiar między dwoma punktami elementów.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>Za&amp;chowaj pomiar</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1 – Enter zachowuje pomiar, kliknięcie zaczyna od nowa</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>Kliknij dwa punkty wykroju lub pokrowca, aby zmierzyć, albo wskaż obrys – Esc kończy</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>W wykroju</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>dwa elementy</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>Widok 3D pokazuje długość na pokrowcu.</translation>
     </message>
 </context>
 <context>
@@ -5676,10 +5773,6 @@
         <translation>Nie można utworzyć folderu „%1”.</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>Folder „%1” zawiera serię prób innego modelu lub innych tolerancji: wybierz inny folder.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Utwórz wykrój formy</translation>
     </message>
@@ -5776,10 +5869,6 @@
         <translation>Pozostaw szew ostry: %1 i %2</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>Folder „%1” zawiera inne pliki: seria prób wymaga własnego folderu.</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 nie ma długości: nie ma tam cięcia</translation>
     </message>
@@ -5810,6 +5899,26 @@
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
         <translation>„%1” występuje tam dwa razy; usuń jeden z wierszy z pliku albo wyeksportuj go ponownie</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>Zmień uwagę: %1</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>Dodaj pomiar %1</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>nie leży już w „%1”; zmierz ponownie</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>Folder „%1” zawiera inne pliki: wybierz osobny.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>Folder „%1” zawiera pracę innego projektu lub innych opcji: wybierz inny folder.</translation>
     </message>
 </context>
 <context>
@@ -6144,6 +6253,10 @@
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>Kliknięcie zaznacza, przeciągnięcie ramki zaznacza kilka – %1 lub spacja przesuwa, %2 powiększa</translation>
+    </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Kliknięcie zaznacza pomiar, Delete go usuwa</translation>
     </message>
 </context>
 <context>
@@ -8282,6 +8395,10 @@
     <message>
         <source>Elements</source>
         <translation>Obiekty</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>Po nazwie lub słowie z uwagi</translation>
     </message>
 </context>
 <context>

@@ -247,6 +247,29 @@
     </message>
 </context>
 <context>
+    <name>CoverMeasureTool</name>
+    <message>
+        <source>There is no cover here: click on the cover.</source>
+        <translation>此处没有面套：请单击面套。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>保留测量(&amp;K)</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1——Enter 保留测量，单击重新开始</translation>
+    </message>
+    <message>
+        <source>Click the second point on the cover – Esc gives it up</source>
+        <translation>单击面套上的第二点——Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Click two points of the cover or of the pattern to measure – Esc ends the tool</source>
+        <translation>单击面套或样板上的两点进行测量——Esc 结束工具</translation>
+    </message>
+</context>
+<context>
     <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -873,6 +896,18 @@
     <message>
         <source>Corner of %1</source>
         <translation>%1 的角点</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>%1 measurements</source>
+        <translation>%1 个测量</translation>
     </message>
 </context>
 <context>
@@ -1936,6 +1971,22 @@
         <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
         <translation>到表面：面套可沿其滑动。到点：不可滑动，适合点少的扫描。</translation>
     </message>
+    <message>
+        <source>For whoever works on the design: it changes neither the cover nor what is cut</source>
+        <translation>供设计人员参考：不改变面套，也不改变裁剪内容</translation>
+    </message>
+    <message>
+        <source>Line on the label</source>
+        <translation>标签上的一行</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2746,6 +2797,13 @@
     </message>
 </context>
 <context>
+    <name>KeptMeasure</name>
+    <message>
+        <source>Measurement %1</source>
+        <translation>测量 %1</translation>
+    </message>
+</context>
+<context>
     <name>KeyPresets</name>
     <message>
         <source>Bolster</source>
@@ -2844,6 +2902,10 @@
     <message>
         <source>Cut lines, notches and la&amp;bels</source>
         <translation>裁剪线、剪口和标签(&amp;B)</translation>
+    </message>
+    <message>
+        <source>M&amp;easurements</source>
+        <translation>测量(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -2997,12 +3059,47 @@
         <translation>此边长 %1——单击可从一点开始测量</translation>
     </message>
     <message>
-        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
-        <translation>单击两点测量，或指向轮廓——Esc 结束工具</translation>
-    </message>
-    <message>
         <source>Edge: %1</source>
         <translation>边：%1</translation>
+    </message>
+    <message>
+        <source>Only a measurement between two points of patches can be kept.</source>
+        <translation>只能保留样片上两点之间的测量。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the measurement</source>
+        <translation>保留测量(&amp;K)</translation>
+    </message>
+    <message>
+        <source>%1 – Enter keeps the measurement, a click begins anew</source>
+        <translation>%1——Enter 保留测量，单击重新开始</translation>
+    </message>
+    <message>
+        <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
+        <translation>单击样板或面套上的两点进行测量，或指向轮廓——Esc 结束工具</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementForm</name>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>样板中</translation>
+    </message>
+    <message>
+        <source>two patches</source>
+        <translation>两个样片</translation>
+    </message>
+    <message>
+        <source>The 3D view says how long it is on the cover.</source>
+        <translation>3D 视图显示其在面套上的长度。</translation>
     </message>
 </context>
 <context>
@@ -5668,10 +5765,6 @@
         <translation>无法创建文件夹“%1”。</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds the sweep of another design or of other tolerances: choose another folder.</source>
-        <translation>文件夹“%1”含有另一设计或其他公差的抽样：请选择其他文件夹。</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>由形体生成样板</translation>
     </message>
@@ -5768,10 +5861,6 @@
         <translation>使 %1 与 %2 的接缝保留棱边</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; holds other files: a sweep needs one of its own.</source>
-        <translation>文件夹“%1”含有其他文件：抽样需要单独的文件夹。</translation>
-    </message>
-    <message>
         <source>%1 has no length: it is not cut along it</source>
         <translation>%1 没有长度：不沿其切分</translation>
     </message>
@@ -5802,6 +5891,26 @@
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
         <translation>“%1”在其中出现两次；请从文件中删去一行，或重新导出</translation>
+    </message>
+    <message>
+        <source>Change the note of %1</source>
+        <translation>更改 %1 的备注</translation>
+    </message>
+    <message>
+        <source>Add measurement %1</source>
+        <translation>添加测量 %1</translation>
+    </message>
+    <message>
+        <source>it does not lie in &quot;%1&quot; any more; measure anew</source>
+        <translation>已不在“%1”内；请重新测量</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
+        <translation>文件夹“%1”中有其他文件：请选择专用文件夹。</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
+        <translation>文件夹“%1”中是另一设计或其他选项的结果：请选择其他文件夹。</translation>
     </message>
 </context>
 <context>
@@ -6136,6 +6245,10 @@
     <message>
         <source>Click to select, drag a box to select several – %1 or Space pans, %2 zooms</source>
         <translation>单击选择，拖出选框选择多个——%1 或空格平移，%2 缩放</translation>
+    </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>单击选择测量，Delete 删除</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8383,10 @@
     <message>
         <source>Elements</source>
         <translation>元素</translation>
+    </message>
+    <message>
+        <source>By its name, or by a word of its note</source>
+        <translation>按名称或备注中的词</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "FabricBaking.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "PictureSeries.h"
 #include "Project.h"
 #include "RenderOrder.h"
 #include "Solving.h"
@@ -37,6 +38,16 @@ Options:
   --no-frame         the cover alone, without its frames and foam
   --transparent      no background; the shadow is kept
   --threads N        use N threads (default 0: as many as the machine has)
+
+Instead of --image, for many pictures:
+  --all DIR          every colourway from every view, into a folder of its own; pictures
+                     that are there already are not drawn again
+  --views A,B,...    from these (default all six words above), separated by commas
+  --format WORD      png (default), tif or exr
+  --part I/N         only every Nth picture, from the Ith (0 to N-1) on
+  --slurm            lets jobs of Slurm draw them, and waits
+  --jobs N           jobs of an array (4)
+  --sbatch WORDS     more options for sbatch, with blanks between them
 
 Exit code:
   0  done
@@ -82,10 +93,11 @@ public:
 
     /// False when something could not be drawn or written; it has been said then.
     bool drawAll();
+    bool drawAll(const std::vector<PictureSeries::Piece>& pieces);
 
 private:
-    bool draw(const PictureOrder& order, const QString& path);
-    bool write(const PreviewImage& image, const QString& path) const;
+    bool draw(const PictureOrder& order, const QString& path, const std::string& viewName);
+    bool write(const PreviewImage& image, const QString& path, const std::string& viewName) const;
     void printMap(const CoverMap& map);
 
     const RenderOrder& m_order;
@@ -139,14 +151,14 @@ std::string orderProblem(const RenderOrder& order, const Design& design)
     return {};
 }
 
-bool Pictures::draw(const PictureOrder& order, const QString& path)
+bool Pictures::draw(const PictureOrder& order, const QString& path, const std::string& viewName)
 {
     const Picture picture = m_studio.draw(order, m_stop);
     if (!picture.problem.empty())
         printError("warning: " + picture.problem);
     if (picture.map && !std::exchange(m_mapPrinted, true))
         printMap(*picture.map);
-    return write(picture.image, path);
+    return write(picture.image, path, viewName);
 }
 
 bool Pictures::drawAll()
@@ -155,23 +167,34 @@ bool Pictures::drawAll()
     order.look.colourway = m_order.colourway.empty() ? m_opened.design.settings().colourway
                                                      : colourwayNamed(m_opened.design, m_order.colourway);
     if (m_order.turntable == 0)
-        return draw(order, m_order.image);
+        return draw(order, m_order.image, m_order.viewName);
     for (int picture = 0; picture < m_order.turntable; ++picture) {
         order.turn = 2 * std::numbers::pi * picture / m_order.turntable;
-        if (!draw(order, QString::fromStdString(numberedPath(m_order.image.toStdString(), picture + 1))))
+        if (!draw(order, QString::fromStdString(numberedPath(m_order.image.toStdString(), picture + 1)),
+                  m_order.viewName))
             return false;
     }
     return true;
 }
 
-bool Pictures::write(const PreviewImage& image, const QString& path) const
+bool Pictures::drawAll(const std::vector<PictureSeries::Piece>& pieces)
+{
+    return std::ranges::all_of(pieces, [this](const PictureSeries::Piece& piece) {
+        PictureOrder order = m_order.picture;
+        order.look.colourway = piece.colourway;
+        order.from = piece.view->from;
+        return draw(order, piece.path, piece.view->name);
+    });
+}
+
+bool Pictures::write(const PreviewImage& image, const QString& path, const std::string& viewName) const
 {
     if (image.empty()) {
         printError("error: \"" + path.toStdString() + "\" was not drawn: interrupted");
         return false;
     }
     const PictureNotes notes{QFileInfo(m_order.design).fileName().toStdString(),
-                             hexText(hashOf(m_opened.design)).substr(0, 12), m_order.viewName};
+                             hexText(hashOf(m_opened.design)).substr(0, 12), viewName};
     const EncodedPicture encoded = encodePicture(image, m_order.format, notes);
     const Message problem = encoded.problem.empty() ? replaceWholeFile(path, encoded.bytes) : encoded.problem;
     if (problem.empty())
@@ -199,6 +222,46 @@ void Pictures::printMap(const CoverMap& map)
     }
 }
 
+/// Solves the cover, and lets `pictures` draw it.
+template <class Draw>
+int drawSolved(const RenderOrder& order, const OpenedDesign& opened, Interrupt& interrupt, Draw draw)
+{
+    SolveOptions options;
+    options.threads = order.picture.options.threads;
+    const SolveResult result = solveOpened(opened, options, interrupt.token());
+    printFindings(result);
+    if (!result.surface)
+        return result.status == SolveResult::Status::Failed && !result.errors.empty() ? badInput : otherFailure;
+    interrupt.beginWriting();
+    Pictures pictures(order, opened, result.surface, interrupt.token());
+    if (!draw(pictures))
+        return otherFailure;
+    return result.status == SolveResult::Status::NotConverged ? notConverged : done;
+}
+
+int renderSeries(const RenderOrder& order, const OpenedDesign& opened, Interrupt& interrupt)
+{
+    const PictureSeries series(order, opened.design, opened.files);
+    const auto fail = [](const std::string& problem) {
+        printError("error: " + problem);
+        return otherFailure;
+    };
+    if (const Message problem = series.open(); !problem.empty())
+        return fail(problem.english());
+    if (order.series->slurm) {
+        const std::string problem = runOnSlurm(
+            *order.series->slurm, [&] { return series.missing({}).empty(); },
+            [](const std::string& line) { printResult(line); }, interrupt.token());
+        return problem.empty() ? done : fail(problem);
+    }
+    const std::vector<PictureSeries::Piece> missing = series.missing(order.series->share);
+    if (missing.empty()) {
+        printResult("all pictures are there");
+        return done;
+    }
+    return drawSolved(order, opened, interrupt, [&](Pictures& pictures) { return pictures.drawAll(missing); });
+}
+
 } // namespace
 
 int render(std::span<const std::string> words)
@@ -208,18 +271,11 @@ int render(std::span<const std::string> words)
     const OpenedDesign opened = openedShown(order.design);
     if (QFileInfo::exists(order.image) && QFileInfo(order.image) == QFileInfo(order.design))
         throw UsageError("--image would overwrite the design");
-    SolveOptions options;
-    options.threads = order.picture.options.threads;
     if (const std::string problem = opened.readable ? orderProblem(order, opened.design) : ""; !problem.empty())
         throw UsageError(problem);
-    const SolveResult result = solveOpened(opened, options, interrupt.token());
-    printFindings(result);
-    if (!result.surface)
-        return result.status == SolveResult::Status::Failed && !result.errors.empty() ? badInput : otherFailure;
-    interrupt.beginWriting();
-    if (!Pictures(order, opened, result.surface, interrupt.token()).drawAll())
-        return otherFailure;
-    return result.status == SolveResult::Status::NotConverged ? notConverged : done;
+    if (order.series && !printErrors(opened.problems))
+        return renderSeries(order, opened, interrupt);
+    return drawSolved(order, opened, interrupt, [](Pictures& pictures) { return pictures.drawAll(); });
 }
 
 } // namespace bolster::cli

@@ -13,7 +13,9 @@ constexpr std::array renderOptions = {
     OptionRule{"--image", true},     OptionRule{"--size", true},      OptionRule{"--view", true},
     OptionRule{"--samples", true},   OptionRule{"--fabric", true},    OptionRule{"--map", true},
     OptionRule{"--turntable", true}, OptionRule{"--threads", true},   OptionRule{"--transparent", false},
-    OptionRule{"--sheet", false},    OptionRule{"--no-frame", false},
+    OptionRule{"--sheet", false},    OptionRule{"--no-frame", false}, OptionRule{"--all", true},
+    OptionRule{"--views", true},     OptionRule{"--format", true},    OptionRule{"--part", true},
+    OptionRule{"--slurm", false},    OptionRule{"--jobs", true},      OptionRule{"--sbatch", true},
 };
 
 /// "1280x960"
@@ -70,6 +72,50 @@ void takeMap(const Arguments& arguments, RenderOrder& order)
         throw UsageError("--map " + map + " and --fabric exclude each other: a map covers the fabric");
 }
 
+/// What pictures of a series have of their own excludes it.
+SeriesOrder parsedSeries(const Arguments& arguments, const QString& design)
+{
+    for (const char* single : {"--image", "--view", "--fabric", "--turntable", "--sheet"})
+        if (arguments.has(single))
+            throw UsageError("--all draws every colourway from every view: it does not go with " +
+                             std::string(single));
+    SeriesOrder series;
+    series.folder = arguments.path("--all");
+    series.format = arguments.has("--format") ? arguments.path("--format").toStdString() : "png";
+    if (!pictureFormat("." + series.format))
+        throw UsageError("--format is png, tif or exr, not \"" + series.format + "\"");
+    const QString views =
+        arguments.has("--views") ? arguments.path("--views") : "three-quarter,front,back,left,right,top";
+    for (const QString& name : views.split(',', Qt::SkipEmptyParts))
+        series.views.push_back({name.trimmed().toStdString(), parsedView(name.trimmed().toStdString())});
+    if (series.views.empty())
+        throw UsageError("--views needs at least one view");
+    series.share = jobShare(arguments);
+    SlurmOrder jobs = SlurmOrder::from(arguments, "render", series.folder);
+    jobs.command += design;
+    for (const char* option : {"--all", "--views", "--format", "--size", "--samples", "--map", "--threads"})
+        if (arguments.has(option)) {
+            jobs.command += {option, arguments.path(option)};
+            if (std::string_view(option) != "--threads" && std::string_view(option) != "--all")
+                series.options += option + (" " + arguments.path(option).toStdString()) + "\n";
+        }
+    for (const char* option : {"--transparent", "--no-frame"})
+        if (arguments.has(option)) {
+            jobs.command += option;
+            series.options.append(option).append("\n");
+        }
+    if (arguments.has("--slurm"))
+        series.slurm = std::move(jobs);
+    return series;
+}
+
+void expectNoSeries(const Arguments& arguments)
+{
+    for (const char* option : {"--views", "--format", "--part", "--slurm", "--jobs", "--sbatch"})
+        if (arguments.has(option))
+            throw UsageError(std::string(option) + " is for a series of pictures: --all DIR");
+}
+
 } // namespace
 
 RenderOrder RenderOrder::from(std::span<const std::string> words)
@@ -78,7 +124,11 @@ RenderOrder RenderOrder::from(std::span<const std::string> words)
     RenderOrder order;
     PreviewOptions& options = order.picture.options;
     order.design = arguments.onlyFile("DESIGN");
-    order.image = arguments.path("--image");
+    if (arguments.has("--all"))
+        order.series = parsedSeries(arguments, order.design);
+    else
+        expectNoSeries(arguments);
+    order.image = order.series ? "." + QString::fromStdString(order.series->format) : arguments.path("--image");
     if (order.image.isEmpty())
         throw UsageError("--image is missing: where the picture is to be written");
     const auto format = pictureFormat(order.image.toStdString());

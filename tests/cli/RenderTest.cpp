@@ -64,6 +64,43 @@ TEST_F(Render, WritesTheSameBytesOnAnyNumberOfThreads)
     }
 }
 
+TEST_F(Render, DrawsEveryColourwayFromEveryViewAndGoesOnWhereItWasEnded)
+{
+    const auto all = [this](const QString& folder, const QStringList& more = {}) {
+        return callCommandLine(QStringList{"render", m_design, "--all", path(folder), "--size", "64x48",
+                                           "--samples", "4", "--views", "front,top"} +
+                               more);
+    };
+    ASSERT_EQ(all("whole").exitCode, 0);
+    const QStringList names{"01-Meadow-front.png", "01-Meadow-top.png", "02-Hide-front.png", "02-Hide-top.png"};
+    EXPECT_EQ(QDir(path("whole")).entryList({"*.png"}, QDir::Files, QDir::Name), names);
+    ASSERT_EQ(run("one.png", {"--fabric", "Meadow", "--view", "top"}).exitCode, 0);
+    EXPECT_EQ(bytes("whole/01-Meadow-top.png"), bytes("one.png")) << "the same picture as by itself";
+
+    ASSERT_EQ(all("parts", {"--part", "1/2"}).exitCode, 0);
+    EXPECT_EQ(QDir(path("parts")).entryList({"*.png"}, QDir::Files, QDir::Name), (QStringList{names[1], names[3]}));
+    ASSERT_EQ(all("parts").exitCode, 0);
+    for (const QString& name : names)
+        EXPECT_EQ(bytes("parts/" + name), bytes("whole/" + name)) << name.toStdString();
+    const ProgramRun again = all("parts");
+    EXPECT_EQ(again.exitCode, 0);
+    EXPECT_NE(again.out.find("all pictures are there"), std::string::npos);
+
+    const ProgramRun other = all("parts", {"--transparent"});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_NE(other.err.find("other options"), std::string::npos) << other.err;
+    EXPECT_EQ(all("maps", {"--map", "strain"}).exitCode, 0);
+    EXPECT_EQ(QDir(path("maps")).entryList({"*.png"}, QDir::Files, QDir::Name),
+              (QStringList{"front.png", "top.png"}));
+    for (const QStringList& wrong :
+         {QStringList{"--image", path("x.png")}, QStringList{"--fabric", "Hide"}, QStringList{"--format", "gif"},
+          QStringList{"--part", "2/2"}, QStringList{"--views", "nowhere"}})
+        EXPECT_EQ(callCommandLine(QStringList{"render", m_design, "--all", path("wrong")} + wrong).exitCode, 2)
+            << wrong.join(' ').toStdString();
+    EXPECT_FALSE(QFile::exists(path("wrong")));
+    EXPECT_EQ(run("x.png", {"--jobs", "3"}).exitCode, 2) << "that is of a series";
+}
+
 TEST_F(Render, ShowsAColourwayAndAMap)
 {
     ASSERT_EQ(run("own.png").exitCode, 0);

@@ -237,7 +237,7 @@ TEST(DesignJson, NotesAreKeptAndStandNowhereElse)
     EXPECT_EQ(again, noted);
     EXPECT_EQ(writeDesign(again), text);
     int found = 0;
-    for (std::size_t at = text.find("\"note\": \"ask \\\"Anna\\\"\\nabout "); at != std::string::npos;
+    for (std::size_t at = text.find("\"note\": \"ask \\\"Anna\\\"\\u000aabout "); at != std::string::npos;
          at = text.find("\"note\": ", at + 1))
         ++found;
     EXPECT_EQ(found, count) << text;

@@ -169,7 +169,7 @@ TEST_F(Edits, ReplacesAndRenames)
 TEST_F(Edits, AnyElementHasANote)
 {
     for (const auto& [id, element] : design.elements()) {
-        if (id == settingsId)
+        if (id == unreadable)
             continue;
         const Edit edit = changeNote(design, id, "  ask Anna\nabout this \n\n");
         ASSERT_FALSE(edit.empty()) << kindName(*element);

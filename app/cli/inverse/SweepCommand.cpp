@@ -1,6 +1,7 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
 #include "Interrupt.h"
+#include "JobShare.h"
 #include "Output.h"
 #include "ProgressLine.h"
 #include "Slurm.h"
@@ -9,8 +10,6 @@
 #include "SweepFiles.h"
 #include "VertexAreas.h"
 #include "WholeFile.h"
-
-#include <QFile>
 
 #include <nlohmann/json.hpp>
 
@@ -57,24 +56,9 @@ constexpr std::array sweepRules = {
     OptionRule{"--linear", true}, OptionRule{"--threads", true}, OptionRule{"--part", true},
     OptionRule{"--slurm", false}, OptionRule{"--jobs", true},    OptionRule{"--sbatch", true}};
 
-struct Share {
-    int which = 0, of = 1;
-};
-
-Share shareOf(const Arguments& arguments)
-{
-    if (!arguments.has("--part"))
-        return {};
-    const QStringList words = arguments.path("--part").split('/');
-    bool whichIs = false, ofIs = false;
-    const Share share = words.size() == 2 ? Share{words[0].toInt(&whichIs), words[1].toInt(&ofIs)} : Share{};
-    if (!whichIs || !ofIs || share.of < 1 || share.which < 0 || share.which >= share.of)
-        throw UsageError("--part is I/N with I from 0 to N-1");
-    return share;
-}
-
 /// Solves what is missing of a share. Returns what went wrong.
-std::string solveMissing(Sweep& sweep, const SweepFolder& folder, const Share& share, const std::stop_token& stop)
+std::string solveMissing(Sweep& sweep, const SweepFolder& folder, const JobShare& share,
+                         const std::stop_token& stop)
 {
     ProgressLine line("looking for what is there");
     const std::size_t vertices = sweep.nominal()->positions.size();
@@ -254,30 +238,14 @@ private:
     std::vector<float> m_linearP95;
 };
 
-/// Foam and frames that the samples depend on, so that others are told from them.
-std::string meshesAsText(const DesignFiles& files)
-{
-    std::string text;
-    for (const auto& [id, mesh] : files.meshes) {
-        for (const Vec3& point : mesh->points)
-            text.append(reinterpret_cast<const char*>(point.data()), 3 * sizeof(double));
-        for (const auto& triangle : mesh->triangles)
-            text.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle);
-    }
-    return text;
-}
-
 /// What every job does.
 SlurmOrder slurmOrder(const Arguments& arguments, const QString& design)
 {
-    SlurmOrder order;
-    order.folder = arguments.path("--out");
-    order.jobs = arguments.integer("--jobs", order.jobs, 1, 10'000);
-    order.command = {QFile::symLinkTarget("/proc/self/exe"), "sweep", design};
+    SlurmOrder order = SlurmOrder::from(arguments, "sweep", arguments.path("--out"));
+    order.command += design;
     for (const char* option : {"--spec", "--samples", "--out", "--threads"})
         if (arguments.has(option))
             order.command += {option, arguments.path(option)};
-    order.options = arguments.path("--sbatch").split(' ', Qt::SkipEmptyParts);
     return order;
 }
 
@@ -295,7 +263,7 @@ int sweep(std::span<const std::string> words)
     expectDistinct({path, arguments.path("--spec")}, outputs);
     const int samples = arguments.integer("--samples", 0, 0, 1'000'000);
     const int linear = arguments.integer("--linear", 10'000, 100, 1'000'000);
-    const Share share = shareOf(arguments);
+    const JobShare share = jobShare(arguments);
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))

@@ -4,7 +4,6 @@
 #include "NumberField.h"
 #include "WholeFile.h"
 
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 
@@ -105,11 +104,6 @@ T take(const char*& at)
 constexpr std::size_t sampleHead = sizeof(std::uint64_t) + 4 * sizeof(double) + sizeof(std::uint8_t);
 constexpr qsizetype hashSize = 20;
 
-QByteArray hashOf(const std::string& text)
-{
-    return QCryptographicHash::hash(QByteArrayView(text.data(), std::ssize(text)), QCryptographicHash::Sha1);
-}
-
 } // namespace
 
 SweepSpec readSweepSpec(const QString& path, const Design& design)
@@ -156,27 +150,17 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
     return result;
 }
 
-SweepFolder::SweepFolder(QString path, std::string asked, int samples)
-    : m_path(std::move(path))
-    , m_asked(hashOf(asked).toHex().toStdString())
+SweepFolder::SweepFolder(const QString& path, const std::string& asked, int samples)
+    : m_folder(path, asked)
     , m_samples(samples)
 {}
 
-Message SweepFolder::open()
+Message SweepFolder::open() const
 {
-    const QDir folder(m_path);
-    if (folder.exists() && !folder.isEmpty() && !folder.exists("asked"))
-        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" holds other files: a sweep needs one of its own."),
-                {m_path.toStdString()}};
-    if (!QDir().mkpath(m_path + "/parts"))
-        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" cannot be made."), {m_path.toStdString()}};
-    const QString name = file("asked");
-    if (!QFile::exists(name))
-        return replaceWholeFile(name, m_asked + "\n");
-    if (readWholeFile(name, 100).bytes != m_asked + "\n")
-        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" holds the sweep of another design or of other "
-                                             "tolerances: choose another folder."),
-                {m_path.toStdString()}};
+    if (Message problem = m_folder.open(); !problem.empty())
+        return problem;
+    if (!QDir().mkpath(file("parts")))
+        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" cannot be made."), {file("parts").toStdString()}};
     return {};
 }
 
@@ -202,7 +186,7 @@ Message SweepFolder::write(int part, const std::vector<SweepSample>& samples) co
         for (const float value : sample.outside)
             put(bytes, value);
     }
-    const QByteArray hash = hashOf(bytes);
+    const QByteArray hash = jobHash(bytes);
     return replaceWholeFile(partFile(part), bytes + hash.toStdString());
 }
 
@@ -212,7 +196,7 @@ std::vector<SweepSample> SweepFolder::read(int part, std::size_t vertices) const
     const std::size_t most = magic.size() + 8 + count * (sampleHead + 4 * vertices) + hashSize;
     const std::string bytes = readWholeFile(partFile(part), static_cast<std::int64_t>(most)).bytes;
     if (bytes.size() < magic.size() + 8 + hashSize || !bytes.starts_with(magic) ||
-        hashOf(bytes.substr(0, bytes.size() - hashSize)).toStdString() != bytes.substr(bytes.size() - hashSize))
+        jobHash(bytes.substr(0, bytes.size() - hashSize)).toStdString() != bytes.substr(bytes.size() - hashSize))
         return {};
     const char* at = bytes.data() + magic.size();
     const char* const end = bytes.data() + bytes.size() - hashSize;

@@ -1,6 +1,7 @@
 // The folder of a sweep: what was asked for, and the samples that are solved so far.
 #pragma once
 
+#include "JobFolder.h"
 #include "Sweep.h"
 
 #include <QString>
@@ -25,14 +26,14 @@ public:
     static constexpr int samplesOfPart = 20;
 
     /// `asked`: design and spec as text; another one than that of the files that are there already is a problem.
-    SweepFolder(QString path, std::string asked, int samples);
+    SweepFolder(const QString& path, const std::string& asked, int samples);
 
     /// Makes the folder, or says why not.
-    Message open();
+    Message open() const;
     int parts() const { return (m_samples + samplesOfPart - 1) / samplesOfPart; }
     std::uint64_t firstOf(int part) const { return static_cast<std::uint64_t>(part) * samplesOfPart; }
     int countOf(int part) const { return std::min(samplesOfPart, m_samples - part * samplesOfPart); }
-    QString file(const QString& name) const { return m_path + "/" + name; }
+    QString file(const QString& name) const { return m_folder.file(name); }
 
     bool has(int part, std::size_t vertices) const;
     Message write(int part, const std::vector<SweepSample>& samples) const;
@@ -42,8 +43,7 @@ public:
 private:
     QString partFile(int part) const;
 
-    QString m_path;
-    std::string m_asked;
+    JobFolder m_folder;
     int m_samples;
 };
 

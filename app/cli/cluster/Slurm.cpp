@@ -40,11 +40,22 @@ std::string scriptOf(const SlurmOrder& order)
     QString line;
     for (const QString& word : order.command)
         line += quoted(word) + " ";
-    return "#!/bin/sh\n# Solves its share of a sweep's samples, and those alone that are not there yet.\nexec " +
+    return "#!/bin/sh\n# Does its share of the work, and of that what is not there yet.\nexec " +
            line.toStdString() + "--part \"$SLURM_ARRAY_TASK_ID/" + std::to_string(order.jobs) + "\"\n";
 }
 
 } // namespace
+
+SlurmOrder SlurmOrder::from(const Arguments& arguments, const QString& subcommand, const QString& folder)
+{
+    SlurmOrder order;
+    order.folder = folder;
+    order.name = "bolster-" + subcommand;
+    order.jobs = arguments.integer("--jobs", order.jobs, 1, 10'000);
+    order.command = {QFile::symLinkTarget("/proc/self/exe"), subcommand};
+    order.options = arguments.path("--sbatch").split(' ', Qt::SkipEmptyParts);
+    return order;
+}
 
 std::string runOnSlurm(const SlurmOrder& order, const std::function<bool()>& isDone,
                        const std::function<void(const std::string&)>& say, const std::stop_token& stop)
@@ -55,7 +66,7 @@ std::string runOnSlurm(const SlurmOrder& order, const std::function<bool()>& isD
     for (int array = 0; array < mostArrays && !isDone(); ++array) {
         const Said submitted =
             ask("sbatch", QStringList{"--parsable", "--array=0-" + QString::number(order.jobs - 1),
-                                      "--job-name=bolster-sweep", "--requeue",
+                                      "--job-name=" + order.name, "--requeue",
                                       "--output=" + order.folder + "/job-%A-%a.log"} +
                               order.options + QStringList{script});
         if (!submitted.ok)
@@ -74,7 +85,7 @@ std::string runOnSlurm(const SlurmOrder& order, const std::function<bool()>& isD
         }
     }
     return isDone() ? ""
-                    : "some samples are missing after " + std::to_string(mostArrays) +
+                    : "something is missing after " + std::to_string(mostArrays) +
                           " arrays of jobs: see the logs in " + order.folder.toStdString();
 }
 

@@ -1,5 +1,7 @@
-// A sweep on many machines: arrays of jobs for Slurm.
+// Work on many machines: arrays of jobs for Slurm.
 #pragma once
+
+#include "Arguments.h"
 
 #include <QString>
 #include <QStringList>
@@ -12,9 +14,14 @@ namespace bolster::cli {
 
 struct SlurmOrder {
     QString folder;      ///< that all machines see: scripts and words of jobs go there
+    QString name;        ///< of the jobs
     QStringList command; ///< of the program; what follows it is "--part I/N"
     int jobs = 4;        ///< of an array
     QStringList options; ///< more for sbatch
+
+    /// For jobs of a subcommand of this program, whose other words are to be added; with what `--jobs` and
+    /// `--sbatch` say.
+    static SlurmOrder from(const Arguments& arguments, const QString& subcommand, const QString& folder);
 };
 
 /// Submits an array of jobs and waits for its end, until `isDone`: jobs that die or are killed leave something to
