@@ -104,6 +104,7 @@ TEST_F(InspectorTest, ANoteHasSeveralLinesAndIsOneEdit)
     auto* box = inspector.widget()->findChild<QPlainTextEdit*>();
     ASSERT_TRUE(box);
     inspector.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&inspector));
     box->setFocus();
     const int before = document.history().count();
     QTest::keyClicks(box, "ask Anna");
