@@ -67,6 +67,7 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     setMinimumWidth(72);
     lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        lineEdit()->setModified(false); // what follows from it is to be seen
         m_typedOver = false;
         m_whyRefused.clear();
         emit entered(value);
@@ -79,7 +80,7 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         lineEdit()->setModified(false);
-        finishVarying();
+        finishOver();
     });
 }
 
@@ -127,13 +128,14 @@ QString NumberBox::shownUnit() const
     return m_unit == millimetreSuffix ? lengthSuffix() : m_unit;
 }
 
-/// The number that was typed may be the one that lay below "varies": nobody has heard of it then.
-void NumberBox::finishVarying()
+/// The number that was typed may be the one that lay below "varies", or that was here before another came: nobody
+/// has heard of it then.
+void NumberBox::finishOver()
 {
     if (!std::exchange(m_typedOver, false))
         return;
     if (std::exchange(m_refused, false))
-        display(std::nullopt);
+        display(m_meanwhile);
     else
         emit entered(value());
 }
@@ -177,8 +179,11 @@ QString NumberBox::finishTyping()
 
 void NumberBox::display(std::optional<double> value)
 {
-    if (!value && m_typedOver)
+    m_meanwhile = value;
+    if (lineEdit()->isModified()) {
+        m_typedOver = m_typedOver || value != std::optional(this->value());
         return;
+    }
     const QSignalBlocker quiet(this);
     m_varies = !value;
     m_typedOver = false;
@@ -186,12 +191,11 @@ void NumberBox::display(std::optional<double> value)
         setSuffix(unit);
     lineEdit()->setPlaceholderText(m_varies ? variesText() : QString());
     if (!value) {
-        if (!lineEdit()->isModified())
-            lineEdit()->clear();
-        return;
+        lineEdit()->clear();
+    } else {
+        setRange(std::min(m_least, *value), std::max(m_most, *value));
+        setValue(*value);
     }
-    setRange(std::min(m_least, *value), std::max(m_most, *value));
-    setValue(*value);
 }
 
 QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const

@@ -38,8 +38,9 @@ public:
 
     explicit NumberBox(const Range& range, QWidget* parent = nullptr);
 
-    /// Without a signal; keeps what the user is typing. A value out of range is shown as it is; nothing is shown as
-    /// "varies".
+    /// Without a signal; while the user is typing nothing is shown, until it is done or given up (Escape: the line
+    /// of text is set unmodified, and the value shown again). A value out of range is shown as it is; nothing is
+    /// shown as "varies".
     void display(std::optional<double> value);
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
@@ -66,7 +67,7 @@ private:
     void followStyle();
     double stepInInches() const;
     QString shownUnit() const;
-    void finishVarying();
+    void finishOver();
     /// Why what was typed is not taken.
     QString refusal(const QString& text) const;
     void say(const QString& why) const;
@@ -80,12 +81,13 @@ private:
     QString m_unit;
     int m_decimals; ///< behind the point, of mm
     double m_step;
-    bool m_lengths;                 ///< takes units of length
-    bool m_varies = false;          ///< no one value
-    bool m_typedOver = false;       ///< over "varies"
-    bool m_clickedInto = false;     ///< the button is still down
-    mutable bool m_refused = false; ///< what was typed last
-    mutable QString m_whyRefused;   ///< until something else is typed or `finishTyping` has said it
+    bool m_lengths;                    ///< takes units of length
+    bool m_varies = false;             ///< no one value
+    bool m_typedOver = false;          ///< over "varies", or over another value than what is shown since
+    std::optional<double> m_meanwhile; ///< what was to be shown last
+    bool m_clickedInto = false;        ///< the button is still down
+    mutable bool m_refused = false;    ///< what was typed last
+    mutable QString m_whyRefused;      ///< until something else is typed or `finishTyping` has said it
 };
 
 } // namespace bolster
