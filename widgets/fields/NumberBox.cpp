@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
 #include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -64,10 +66,11 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     connect(&NumberStyles::instance(), &NumberStyles::changed, this, &NumberBox::followStyle);
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumWidth(72);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // down to what it shows
     lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         lineEdit()->setModified(false); // what follows from it is to be seen
+        fitShown();
         m_typedOver = false;
         m_whyRefused.clear();
         emit entered(value);
@@ -196,6 +199,30 @@ void NumberBox::display(std::optional<double> value)
         setRange(std::min(m_least, *value), std::max(m_most, *value));
         setValue(*value);
     }
+    fitShown();
+}
+
+/// Its place is as wide as the number that it shows needs.
+void NumberBox::fitShown()
+{
+    if (const int width = minimumSizeHint().width(); std::exchange(m_room, width) != width)
+        updateGeometry();
+}
+
+/// Less than what all numbers of the range would need: hardly any is near its limits.
+QSize NumberBox::minimumSizeHint() const
+{
+    constexpr int besideText = 2 * 2 + 2; // pixels: what a line of text keeps free, and the caret
+    const QFontMetrics metrics = fontMetrics();
+    const auto widthOf = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+    const QString shown = m_varies ? variesText() : textFromValue(value()) + suffix();
+    const QString longest = textFromValue(maximum()) + suffix();
+    const int usual = std::min(widthOf(QStringLiteral("888") + suffix()), widthOf(longest));
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    return style()->sizeFromContents(
+        QStyle::CT_SpinBox, &option,
+        {std::max(usual, widthOf(shown)) + besideText, lineEdit()->minimumSizeHint().height()}, this);
 }
 
 QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const

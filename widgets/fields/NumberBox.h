@@ -49,6 +49,7 @@ public:
     /// What is typed is no such number: says so, and the value stays.
     void fixup(QString& text) const override;
     void stepBy(int steps) override;
+    QSize minimumSizeHint() const override;
     /// Done with what is typed, as if the keyboard went elsewhere. Why it was refused, once; else empty.
     QString finishTyping();
 
@@ -65,6 +66,7 @@ protected:
 
 private:
     void followStyle();
+    void fitShown();
     double stepInInches() const;
     QString shownUnit() const;
     void finishOver();
@@ -76,6 +78,7 @@ private:
     /// The number that is meant, or nothing.
     std::optional<double> numberIn(const QString& text) const;
 
+    int m_room = 0; ///< pixels, for the number that is shown
     double m_least;
     double m_most;
     QString m_unit;
