@@ -5,7 +5,7 @@
     <name>AreaBrushTool</name>
     <message>
         <source>Drag over the cover to paint the area; with Shift held down to take away. + and − change the brush. Esc ends.</source>
-        <translation>Glissez sur le revêtement pour peindre la zone ; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
+        <translation>Glissez sur le revêtement pour peindre la zone&#x202f;; avec Maj enfoncée, pour retirer. + et − changent le pinceau. Échap termine.</translation>
     </message>
 </context>
 <context>
@@ -5797,15 +5797,15 @@
     </message>
     <message>
         <source>the disk with &quot;%1&quot; is full; make room on it, and change a setting once more: all of them are kept then</source>
-        <translation>le disque de « %1 » est plein ; faites-y de la place et changez encore un réglage : tous sont alors conservés</translation>
+        <translation>le disque de « %1 » est plein&#x202f;; faites-y de la place et changez encore un réglage&#x202f;: tous sont alors conservés</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be written; give yourself the right to write there and in its folder, and change a setting once more: all of them are kept then</source>
-        <translation>« %1 » n’a pas pu être écrit ; donnez-vous le droit d’y écrire ainsi que dans son dossier, puis changez encore un réglage : tous sont alors conservés</translation>
+        <translation>« %1 » n’a pas pu être écrit&#x202f;; donnez-vous le droit d’y écrire ainsi que dans son dossier, puis changez encore un réglage&#x202f;: tous sont alors conservés</translation>
     </message>
     <message>
         <source>&quot;%1&quot; stands there twice; remove one of its lines from the file, or export it again</source>
-        <translation>« %1 » y figure deux fois ; supprimez l’une des lignes du fichier, ou exportez-le à nouveau</translation>
+        <translation>« %1 » y figure deux fois&#x202f;; supprimez l’une des lignes du fichier, ou exportez-le à nouveau</translation>
     </message>
 </context>
 <context>
@@ -6253,7 +6253,7 @@
     </message>
     <message>
         <source>The preferences could not be stored: they hold only until Bolster is closed.</source>
-        <translation>Les préférences n’ont pas pu être enregistrées : elles ne valent que jusqu’à la fermeture de Bolster.</translation>
+        <translation>Les préférences n’ont pas pu être enregistrées&#x202f;: elles ne valent que jusqu’à la fermeture de Bolster.</translation>
     </message>
 </context>
 <context>
@@ -7899,7 +7899,7 @@
     <name>bolster::AreaRow</name>
     <message>
         <source> %</source>
-        <translation> %</translation>
+        <translation>&#x202f;%</translation>
     </message>
     <message>
         <source>Onl&amp;y in a painted area</source>
@@ -7919,7 +7919,7 @@
     </message>
     <message>
         <source>Drag over the cover in the 3D view; with Shift held down it takes away</source>
-        <translation>Glissez sur le revêtement dans la vue 3D ; avec Maj enfoncée, cela retire</translation>
+        <translation>Glissez sur le revêtement dans la vue 3D&#x202f;; avec Maj enfoncée, cela retire</translation>
     </message>
     <message>
         <source>Radius of the brush</source>
@@ -10368,7 +10368,7 @@
     </message>
     <message>
         <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>Les côtés des coutures peuvent devenir de longueurs différentes ; c’est alors l’embu voulu</translation>
+        <translation>Les côtés des coutures peuvent devenir de longueurs différentes&#x202f;; c’est alors l’embu voulu</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -10501,7 +10501,15 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
-        <translation>« %1 » n’est pas un dossier de cette machine : le dossier de vos tissus reste inchangé.</translation>
+        <translation>« %1 » n’est pas un dossier de cette machine&#x202f;: le dossier de vos tissus reste inchangé.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>&amp;Redémarrer maintenant</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Ferme Bolster, en demandant comme toujours quoi faire du travail non enregistré, puis le redémarre avec le même projet</translation>
     </message>
 </context>
 <context>
