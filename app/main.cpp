@@ -111,6 +111,7 @@ int main(int argc, char* argv[])
     applyLooks(application, preferences);
 
     MainWindow window;
+    QObject::connect(&window, &MainWindow::restartWanted, &openInWindowOfItsOwn);
     const QStringList designs = QCoreApplication::arguments().mid(1);
     if (designs.isEmpty())
         window.greet(); // before the window is there: views that nobody sees are not drawn

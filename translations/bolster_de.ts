@@ -10620,6 +10620,14 @@
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>„%1“ ist auf diesem Rechner kein Ordner: der Ordner Ihrer Stoffe bleibt, wie er war.</translation>
     </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>Jetzt &amp;neu starten</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Schließt Bolster und fragt wie immer nach nicht gespeicherter Arbeit; dann startet es neu mit demselben Projekt</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ProblemsView</name>

@@ -10620,6 +10620,14 @@
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>«%1» no es una carpeta de este equipo: la carpeta de sus telas queda como estaba.</translation>
     </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>&amp;Reiniciar ahora</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Cierra Bolster y pregunta como siempre por el trabajo sin guardar; después vuelve a iniciarlo con el mismo proyecto</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ProblemsView</name>

@@ -5910,11 +5910,11 @@
     </message>
     <message>
         <source>The folder &quot;%1&quot; holds other files: choose one of its own.</source>
-        <translation>Le dossier « %1 » contient d’autres fichiers : choisissez-en un à part.</translation>
+        <translation>Le dossier «&#x202f;%1&#x202f;» contient d’autres fichiers&#x202f;: choisissez-en un à part.</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
-        <translation>Le dossier « %1 » contient le travail d’un autre projet ou d’autres options : choisissez un autre dossier.</translation>
+        <translation>Le dossier «&#x202f;%1&#x202f;» contient le travail d’un autre projet ou d’autres options&#x202f;: choisissez un autre dossier.</translation>
     </message>
 </context>
 <context>
@@ -10619,6 +10619,14 @@
     <message>
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>« %1 » n’est pas un dossier de cette machine&#x202f;: le dossier de vos tissus reste inchangé.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>&amp;Redémarrer maintenant</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Ferme Bolster, en demandant comme toujours quoi faire du travail non enregistré, puis le redémarre avec le même projet</translation>
     </message>
 </context>
 <context>

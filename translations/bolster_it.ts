@@ -10620,6 +10620,14 @@
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>«%1» non è una cartella di questo computer: la cartella dei tuoi tessuti resta com’era.</translation>
     </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>&amp;Riavvia ora</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Chiude Bolster, chiedendo come sempre del lavoro non salvato; poi lo riavvia con lo stesso progetto</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ProblemsView</name>

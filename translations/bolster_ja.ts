@@ -10589,6 +10589,14 @@
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>「%1」はこのコンピューターのフォルダーではありません。生地のフォルダーは元のままです。</translation>
     </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>今すぐ再起動(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Bolsterを閉じ（未保存の作業についてはいつもどおり確認します）、同じプロジェクトでもう一度起動します</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ProblemsView</name>

@@ -1821,7 +1821,7 @@
     </message>
     <message>
         <source>Two ways – either end up</source>
-        <translation>Dwa kierunki – dowolnym końcem do góry</translation>
+        <translation>Dwa kierunki – dowolny koniec w górę</translation>
     </message>
     <message>
         <source>One way – one end up</source>
@@ -10650,6 +10650,14 @@
     <message>
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>„%1” nie jest folderem na tym komputerze: folder materiałów pozostaje bez zmian.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>&amp;Uruchom ponownie teraz</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>Zamyka Bolster, pytając jak zawsze o niezapisaną pracę, a potem uruchamia go ponownie z tym samym projektem</translation>
     </message>
 </context>
 <context>

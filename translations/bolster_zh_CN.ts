@@ -10589,6 +10589,14 @@
         <source>&quot;%1&quot; is no folder on this machine: the folder of your fabrics stays what it was.</source>
         <translation>“%1”不是本机上的文件夹：面料文件夹保持不变。</translation>
     </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>立即重启(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Closes Bolster, and asks about unsaved work as always; then it starts again with the same project</source>
+        <translation>关闭 Bolster（未保存的工作照常询问），然后用同一项目重新启动</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ProblemsView</name>

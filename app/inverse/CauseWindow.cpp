@@ -3,6 +3,7 @@
 #include "DesignSession.h"
 #include "ElementText.h"
 #include "FormChoice.h"
+#include "HeadedList.h"
 #include "RunRow.h"
 #include "SolveFailure.h"
 #include "Translated.h"
@@ -10,9 +11,7 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -104,13 +103,7 @@ void CauseWindow::build()
                            "seam's allowance, a stretched piece, a fixation off its place, a slipped notch."),
                         this);
     m_said->setWordWrap(true);
-    m_list = new QTreeWidget(this);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setHeaderLabels({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")});
-    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_list->header()->setStretchLastSection(false);
+    m_list = new HeadedList({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")}, 0, this);
     m_list->setAccessibleName(tr("Causes"));
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CauseWindow::rowChosen);
     m_alike = new QLabel(this);

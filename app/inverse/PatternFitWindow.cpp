@@ -3,6 +3,7 @@
 #include "DesignSession.h"
 #include "ElementText.h"
 #include "FormChoice.h"
+#include "HeadedList.h"
 #include "NumberBox.h"
 #include "PatternView.h"
 #include "RunRow.h"
@@ -16,13 +17,11 @@
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -239,13 +238,7 @@ QWidget* PatternFitWindow::buildLocks()
 QWidget* PatternFitWindow::buildOutcome()
 {
     m_outcome = new QWidget(this);
-    m_patches = new QTreeWidget(m_outcome);
-    m_patches->setRootIsDecorated(false);
-    m_patches->setUniformRowHeights(true);
-    m_patches->setHeaderLabels({tr("Changes of"), tr("Moves by")});
-    m_patches->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_patches->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    m_patches->header()->setStretchLastSection(false);
+    m_patches = new HeadedList({tr("Changes of"), tr("Moves by")}, 0, m_outcome);
     m_patches->setAccessibleName(tr("Changes"));
     m_patches->setToolTip(tr("What is ticked is changed"));
     m_patches->setMinimumHeight(5 * m_patches->fontMetrics().lineSpacing());

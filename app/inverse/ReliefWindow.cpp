@@ -1,5 +1,6 @@
 #include "ReliefWindow.h"
 
+#include "ColumnScroll.h"
 #include "CoverView.h"
 #include "DesignSession.h"
 #include "NumberBox.h"
@@ -13,7 +14,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -69,12 +69,9 @@ void ReliefWindow::build()
     m_rows = new QVBoxLayout(m_cards);
     m_rows->setContentsMargins({});
     m_rows->addStretch(1);
-    auto* scroll = new QScrollArea(this);
+    auto* scroll = new ColumnScroll(this);
     scroll->setWidget(m_cards);
-    scroll->setWidgetResizable(true);
     scroll->setAccessibleName(tr("Proposed changes"));
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);

@@ -2,6 +2,7 @@
 
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "HeadedList.h"
 #include "MapLink.h"
 #include "NumberBox.h"
 #include "RunRow.h"
@@ -15,9 +16,7 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
-#include <QHeaderView>
 #include <QLabel>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -142,13 +141,7 @@ void SweepWindow::build()
     m_shown->setChecked(true);
     m_shown->setEnabled(false);
     connect(m_shown, &QCheckBox::toggled, this, &SweepWindow::showMap);
-    m_list = new QTreeWidget(this);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setHeaderLabels({tr("Tolerance"), tr("Share of the variance"), tr("Moves by at most")});
-    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_list->header()->setStretchLastSection(false);
+    m_list = new HeadedList({tr("Tolerance"), tr("Share of the variance"), tr("Moves by at most")}, 0, this);
     m_list->setAccessibleName(tr("Tolerances by their influence"));
     connect(m_list, &QTreeWidget::currentItemChanged, this, &SweepWindow::rowChosen);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -196,8 +189,7 @@ QWidget* SweepWindow::buildPieces()
     m_drawn = new QComboBox(box);
     m_drawn->addItem(tr("Every size within is as likely"));
     m_drawn->addItem(tr("Normal: the tolerance is three standard deviations"));
-    m_drawn->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_drawn->setMinimumContentsLength(24);
+    m_drawn->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_samples = new NumberBox({QString(), 0, 0, 10'000, 50}, box);
     m_samples->display(usualSamples);
     m_samples->setToolTip(tr("Before them ten thousand are drawn as if covers were linear, which takes seconds"));
@@ -206,6 +198,7 @@ QWidget* SweepWindow::buildPieces()
     m_limit->setToolTip(
         tr("A piece is out of it when more than 5 % of its cover lie farther from where they should"));
     auto* form = new QFormLayout(box);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->addRow(tr("Dr&awn"), m_drawn);
     form->addRow(tr("S&olved"), m_samples);
     form->addRow(tr("&Limit"), m_limit);

@@ -1,6 +1,7 @@
 #include "ApplyPreferences.h"
 
 #include <QApplication>
+#include <QFont>
 
 #include <algorithm>
 

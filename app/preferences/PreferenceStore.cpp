@@ -78,6 +78,7 @@ Preferences storedPreferences()
 PreferenceStore::PreferenceStore(QObject* parent)
     : QObject(parent)
     , m_now(storedPreferences())
+    , m_atStart(m_now)
 {}
 
 void PreferenceStore::set(const Preferences& preferences)

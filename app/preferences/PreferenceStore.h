@@ -19,6 +19,8 @@ public:
     explicit PreferenceStore(QObject* parent = nullptr);
 
     const Preferences& now() const { return m_now; }
+    /// Those that the program was started with.
+    const Preferences& atStart() const { return m_atStart; }
     /// Kept at once, if the disk lets it; in the settings there is only what differs from the program's own.
     void set(const Preferences& preferences);
 
@@ -31,6 +33,7 @@ private:
     void keep(const Preferences& before);
 
     Preferences m_now;
+    Preferences m_atStart;
     bool m_notKept = false;
 };
 

@@ -115,7 +115,7 @@ const std::vector<PreferenceRow>& preferenceTable()
         {"language", Page::Looks, &P::language, OneOf{&languageChoices},
          QT_TRANSLATE_NOOP("Preferences", "Language"),
          QT_TRANSLATE_NOOP("Preferences", "translation words english german deutsch"),
-         QT_TRANSLATE_NOOP("Preferences", "Bolster speaks it when it is started the next time.")},
+         QT_TRANSLATE_NOOP("Preferences", "Bolster speaks it when it is started the next time."), true},
         {"window/theme", Page::Looks, &P::theme, OneOf{&themeChoices}, QT_TRANSLATE_NOOP("Preferences", "Theme"),
          QT_TRANSLATE_NOOP("Preferences", "colours dark light contrast night appearance accessibility")},
         {"window/font-percent", Page::Looks, &P::fontPercent,

@@ -71,6 +71,7 @@ struct PreferenceRow {
     const char* label;
     const char* words; ///< by which it is found, beside its label
     const char* note = "";
+    bool atNextStart = false; ///< what is set holds only then
 
     QString labelText() const { return QCoreApplication::translate("Preferences", label); }
     QString noteText() const { return *note ? QCoreApplication::translate("Preferences", note) : QString(); }

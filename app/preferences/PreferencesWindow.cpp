@@ -1,6 +1,7 @@
 #include "PreferencesWindow.h"
 
 #include "Ask.h"
+#include "ColumnScroll.h"
 #include "Icons.h"
 #include "MouseStyle.h"
 #include "NumberBox.h"
@@ -15,12 +16,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGridLayout>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QScrollArea>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -32,7 +33,6 @@ namespace bolster {
 namespace {
 
 constexpr int pageRole = Qt::UserRole;
-constexpr int editorWidth = 300; // pixels, at least
 
 QLabel* noteLabel(const QString& text, QWidget* parent)
 {
@@ -62,16 +62,16 @@ protected:
 
 } // namespace
 
-PreferencesWindow::PreferencesWindow(PreferenceStore& store, const std::function<void()>& editKeys, QWidget* parent)
+PreferencesWindow::PreferencesWindow(PreferenceStore& store, const Ways& ways, QWidget* parent)
     : QDialog(parent)
     , m_store(store)
     , m_search(new QLineEdit(this))
     , m_pages(new QListWidget(this))
-    , m_scroll(new QScrollArea(this))
+    , m_scroll(new ColumnScroll(this))
     , m_nothing(noteLabel(tr("No setting has these words."), this))
 {
     setWindowTitle(tr("Preferences"));
-    build(editKeys);
+    build(ways);
     connect(m_search, &QLineEdit::textChanged, this, &PreferencesWindow::showWanted);
     connect(m_pages, &QListWidget::currentRowChanged, this, [this] {
         const QSignalBlocker quiet(m_search);
@@ -85,7 +85,7 @@ PreferencesWindow::PreferencesWindow(PreferenceStore& store, const std::function
     m_search->setFocus();
 }
 
-void PreferencesWindow::build(const std::function<void()>& editKeys)
+void PreferencesWindow::build(const Ways& ways)
 {
     m_search->setPlaceholderText(tr("Find a setting"));
     m_search->setClearButtonEnabled(true);
@@ -100,13 +100,10 @@ void PreferencesWindow::build(const std::function<void()>& editKeys)
     }
     constexpr int pageGap = 4; // pixels; padding of a style sheet would come after the rows were laid out
     m_pages->setSpacing(pageGap);
-    m_pages->setMinimumWidth(m_pages->sizeHintForColumn(0) + 2 * m_pages->frameWidth() + 24);
-    m_pages->setMaximumWidth(m_pages->minimumWidth() + 40);
-    m_scroll->setWidget(buildSections(editKeys));
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_pages->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents); // whatever the size of the letters
+    m_pages->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Expanding);
+    m_scroll->setWidget(buildSections(ways));
     m_scroll->setAccessibleName(tr("Settings"));
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
     auto* left = new QVBoxLayout;
     left->addWidget(m_search);
@@ -118,10 +115,12 @@ void PreferencesWindow::build(const std::function<void()>& editKeys)
     auto* all = new QVBoxLayout(this);
     all->addLayout(top, 1);
     all->addWidget(buildButtons());
-    resize(860, 560);
+    constexpr int widthInLines = 54, heightInLines = 35; // in the height of letters
+    resize(
+        (fontMetrics().height() * QSize(widthInLines, heightInLines)).boundedTo(0.9 * screen()->availableSize()));
 }
 
-QWidget* PreferencesWindow::buildSections(const std::function<void()>& editKeys)
+QWidget* PreferencesWindow::buildSections(const Ways& ways)
 {
     auto* inside = new QWidget(this);
     auto* column = new QVBoxLayout(inside);
@@ -136,16 +135,17 @@ QWidget* PreferencesWindow::buildSections(const std::function<void()>& editKeys)
         large.setBold(true);
         title->setFont(large);
         lines->addWidget(title);
-        auto* grid = new QGridLayout;
-        grid->setHorizontalSpacing(16);
-        grid->setVerticalSpacing(4);
-        grid->setColumnStretch(1, 1);
+        auto* form = new QFormLayout;
+        form->setHorizontalSpacing(16);
+        form->setVerticalSpacing(4);
+        form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+        form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
         for (const PreferenceRow& setting : preferenceTable())
             if (setting.page == page)
-                addRow(*grid, *box, setting);
-        lines->addLayout(grid);
+                addRow(*form, *box, setting, ways);
+        lines->addLayout(form);
         m_sections.push_back({page, box, title, {}});
-        addMore(*lines, m_sections.back(), editKeys);
+        addMore(*lines, m_sections.back(), ways.editKeys);
         column->addWidget(box);
     }
     column->addWidget(m_nothing);
@@ -153,30 +153,39 @@ QWidget* PreferencesWindow::buildSections(const std::function<void()>& editKeys)
     return inside;
 }
 
-void PreferencesWindow::addRow(QGridLayout& grid, QWidget& box, const PreferenceRow& setting)
+void PreferencesWindow::addRow(QFormLayout& form, QWidget& box, const PreferenceRow& setting, const Ways& ways)
 {
-    Row row{&setting, nullptr, {}, {}};
-    row.editor = editorFor(setting, box, row.show);
+    auto* field = new QWidget(&box);
+    field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    Row row{&setting, nullptr, {field}, {}};
+    row.editor = editorFor(setting, *field, row.show);
     row.editor->setObjectName(QString::fromLatin1(setting.key));
-    row.parts << row.editor;
-    const int line = grid.rowCount();
-    const bool check = std::holds_alternative<OnOff>(setting.form); // which has its label itself
-    if (!check) {
+    auto* lines = new QVBoxLayout(field);
+    constexpr int gapBelow = 12; // pixels
+    lines->setContentsMargins(0, 0, 0, gapBelow);
+    lines->setSpacing(4);
+    lines->addWidget(row.editor, 0, Qt::AlignLeft);
+    if (const QString note = setting.noteText(); !note.isEmpty())
+        lines->addWidget(noteLabel(note, field));
+    if (setting.atNextStart) {
+        auto* restart = new QPushButton(tr("&Restart now"), field);
+        restart->setObjectName(QStringLiteral("restart"));
+        restart->setToolTip(tr("Closes Bolster, and asks about unsaved work as always; then it starts again with "
+                               "the same project"));
+        restart->setAutoDefault(false);
+        connect(restart, &QPushButton::clicked, this, ways.restart);
+        lines->addWidget(restart, 0, Qt::AlignLeft);
+        row.restart = restart;
+    }
+    if (std::holds_alternative<OnOff>(setting.form)) { // which has its label itself
+        form.addRow(field);
+    } else {
         auto* label = new QLabel(setting.labelText(), &box);
         label->setBuddy(row.editor);
         row.editor->setAccessibleName(setting.labelText());
         row.parts << label;
-        grid.addWidget(label, line, 0, Qt::AlignLeft | Qt::AlignVCenter);
+        form.addRow(label, field);
     }
-    grid.addWidget(row.editor, line, check ? 0 : 1, 1, check ? 2 : 1, Qt::AlignLeft);
-    if (const QString note = setting.noteText(); !note.isEmpty()) {
-        row.parts << noteLabel(note, &box);
-        grid.addWidget(row.parts.last(), line + 1, check ? 0 : 1, 1, check ? 2 : 1);
-    }
-    auto* gap = new QWidget(&box);
-    gap->setFixedHeight(8);
-    row.parts << gap;
-    grid.addWidget(gap, line + 2, 0);
     m_rows.push_back(std::move(row));
 }
 
@@ -187,7 +196,6 @@ QWidget* PreferencesWindow::editorFor(const PreferenceRow& setting, QWidget& box
         auto* choice = new CalmBox(&box);
         for (const PreferenceChoice& one : form->choices())
             choice->addItem(one.label, one.id);
-        choice->setMinimumWidth(editorWidth);
         connect(choice, &QComboBox::activated, this,
                 [this, choice, &setting] { set(setting, choice->currentData()); });
         show = [choice, now] { choice->setCurrentIndex(choice->findData(now())); };
@@ -204,7 +212,6 @@ QWidget* PreferencesWindow::editorFor(const PreferenceRow& setting, QWidget& box
                                static_cast<double>(form->least), static_cast<double>(form->most),
                                static_cast<double>(form->step)};
         auto* number = new NumberBox(range, &box);
-        number->setMinimumWidth(editorWidth / 2);
         connect(number, &NumberBox::entered, this,
                 [this, &setting](double value) { set(setting, static_cast<int>(value)); });
         show = [number, now] { number->display(now().toDouble()); };
@@ -212,14 +219,14 @@ QWidget* PreferencesWindow::editorFor(const PreferenceRow& setting, QWidget& box
     }
     if (const auto* form = std::get_if<LengthNumber>(&setting.form)) {
         auto* number = new NumberBox({millimetreSuffix, 2, form->least, form->most, 1}, &box);
-        number->setMinimumWidth(editorWidth / 2);
         connect(number, &NumberBox::entered, this, [this, &setting](double value) { set(setting, value); });
         show = [number, now] { number->display(now().toDouble()); };
         return number;
     }
     auto* folder = new QWidget(&box);
     auto* name = new QLineEdit(folder);
-    name->setMinimumWidth(editorWidth);
+    constexpr int lettersSeen = 32; // of a path
+    name->setMinimumWidth(lettersSeen * name->fontMetrics().averageCharWidth());
     name->setPlaceholderText(tr("none"));
     name->setAccessibleName(setting.labelText());
     auto* choose = new QPushButton(tr("Choose \u2026"), folder);
@@ -229,8 +236,10 @@ QWidget* PreferencesWindow::editorFor(const PreferenceRow& setting, QWidget& box
     line->addWidget(name, 1);
     line->addWidget(choose);
     folder->setFocusProxy(name);
-    connect(name, &QLineEdit::editingFinished, this,
-            [this, name, &setting] { set(setting, QDir::fromNativeSeparators(name->text().trimmed())); });
+    connect(name, &QLineEdit::editingFinished, this, [this, name, &setting] {
+        name->setModified(false);
+        set(setting, QDir::fromNativeSeparators(name->text().trimmed()));
+    });
     connect(choose, &QPushButton::clicked, this, [this, &setting, now] {
         auto* dialog = new QFileDialog(this, setting.labelText(), now().toString());
         dialog->setFileMode(QFileDialog::Directory);
@@ -239,7 +248,10 @@ QWidget* PreferencesWindow::editorFor(const PreferenceRow& setting, QWidget& box
                 [this, &setting](const QString& at) { set(setting, at); });
         openDialog(dialog);
     });
-    show = [name, now] { name->setText(QDir::toNativeSeparators(now().toString())); };
+    show = [name, now] {
+        if (!name->isModified()) // nobody is typing
+            name->setText(QDir::toNativeSeparators(now().toString()));
+    };
     return folder;
 }
 
@@ -328,8 +340,12 @@ void PreferencesWindow::set(const PreferenceRow& setting, const QVariant& value)
 
 void PreferencesWindow::showValues()
 {
-    for (const Row& row : m_rows)
+    for (const Row& row : m_rows) {
         row.show();
+        if (row.restart)
+            row.restart->setVisible(valueOf(m_store.now(), *row.setting) !=
+                                    valueOf(m_store.atStart(), *row.setting));
+    }
 }
 
 PreferencePage PreferencesWindow::page() const

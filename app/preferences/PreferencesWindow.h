@@ -7,23 +7,27 @@
 
 #include <functional>
 
-class QGridLayout;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
-class QScrollArea;
 class QVBoxLayout;
 
 namespace bolster {
+
+class ColumnScroll;
 
 /// Made from the table. What is set holds at once; a search shows what has its words, whatever page it is on.
 class PreferencesWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// `editKeys` opens the editor of single shortcuts.
-    PreferencesWindow(PreferenceStore& store, const std::function<void()>& editKeys, QWidget* parent);
+    struct Ways {
+        std::function<void()> editKeys; ///< opens the editor of single shortcuts
+        std::function<void()> restart;  ///< ends the program and starts it again
+    };
+    PreferencesWindow(PreferenceStore& store, const Ways& ways, QWidget* parent);
 
     void showPage(PreferencePage page);
     void search(const QString& words);
@@ -39,6 +43,7 @@ private:
         QWidget* editor;
         QList<QWidget*> parts;
         std::function<void()> show;
+        QWidget* restart = nullptr; ///< shown while what is set does not hold yet
     };
     /// What stands on a page beside its settings, and is found by the page's title only.
     struct Section {
@@ -48,10 +53,10 @@ private:
         QList<QWidget*> more;
     };
 
-    void build(const std::function<void()>& editKeys);
-    QWidget* buildSections(const std::function<void()>& editKeys);
+    void build(const Ways& ways);
+    QWidget* buildSections(const Ways& ways);
     QWidget* buildButtons();
-    void addRow(QGridLayout& grid, QWidget& box, const PreferenceRow& setting);
+    void addRow(QFormLayout& form, QWidget& box, const PreferenceRow& setting, const Ways& ways);
     QWidget* editorFor(const PreferenceRow& setting, QWidget& box, std::function<void()>& show);
     void addMore(QVBoxLayout& column, Section& section, const std::function<void()>& editKeys);
     void set(const PreferenceRow& setting, const QVariant& value);
@@ -63,7 +68,7 @@ private:
     PreferenceStore& m_store;
     QLineEdit* m_search;
     QListWidget* m_pages;
-    QScrollArea* m_scroll;
+    ColumnScroll* m_scroll;
     QLabel* m_nothing;
     QLabel* m_mouse = nullptr;
     QPushButton* m_defaults = nullptr;

@@ -9,6 +9,9 @@
 #include <QTextLayout>
 #include <QToolButton>
 
+#include <algorithm>
+#include <vector>
+
 namespace bolster {
 
 namespace {
@@ -16,28 +19,47 @@ namespace {
 constexpr double cardWidth = 11.0; // of the height of a line
 constexpr double pictureHeight = 6.6;
 constexpr double actionWidth = 15.0;
-constexpr int actionLines = 3; // title and words
-constexpr int rim = 8;         // pixels
+constexpr int titleLines = 3, wordLines = 7; // at most
+constexpr int actionLines = 3;               // title and words, at least
+constexpr int rim = 8;                       // pixels
 constexpr double roundness = 7;
 
-/// As many lines as fit, the last one elided.
-void drawLines(QPainter& painter, const QRect& rect, const QString& text, int most)
+/// Where each line begins.
+std::vector<int> brokenInto(const QString& text, const QFont& font, int width)
 {
-    const QFontMetrics metrics = painter.fontMetrics();
-    QTextLayout layout(text, painter.font());
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    QTextLayout layout(text, font);
+    layout.setTextOption(option);
+    std::vector<int> begins;
     layout.beginLayout();
-    for (int line = 0; line < most; ++line) {
-        QTextLine row = layout.createLine();
-        if (!row.isValid())
-            break;
-        row.setLineWidth(rect.width());
-        const QPoint at(rect.left(), rect.top() + line * metrics.lineSpacing() + metrics.ascent());
-        const QString rest = text.mid(row.textStart());
-        const bool last = line + 1 == most;
-        painter.drawText(at, last ? metrics.elidedText(rest, Qt::ElideRight, rect.width())
-                                  : text.mid(row.textStart(), row.textLength()).trimmed());
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(width);
+        begins.push_back(line.textStart());
     }
     layout.endLayout();
+    return begins;
+}
+
+int linesOf(const QString& text, const QFont& font, int width)
+{
+    return text.isEmpty() ? 0 : static_cast<int>(brokenInto(text, font, width).size());
+}
+
+/// Not more lines than `most`: the last one is elided then. Returns how many there are.
+int drawLines(QPainter& painter, const QRect& rect, const QString& text, int most)
+{
+    const QFontMetrics metrics = painter.fontMetrics();
+    const std::vector<int> begins = brokenInto(text, painter.font(), rect.width());
+    const int lines = std::min(most, static_cast<int>(begins.size()));
+    for (int line = 0; line < lines; ++line) {
+        const auto at = static_cast<std::size_t>(line);
+        const bool last = line + 1 == lines;
+        const QString written = text.mid(begins[at], last ? -1 : begins[at + 1] - begins[at]).trimmed();
+        painter.drawText(rect.left(), rect.top() + line * metrics.lineSpacing() + metrics.ascent(),
+                         last ? metrics.elidedText(written, Qt::ElideRight, rect.width()) : written);
+    }
+    return lines;
 }
 
 QFont titleFont(QFont font)
@@ -56,6 +78,7 @@ StartCard::StartCard(Shape shape, const QString& icon, const QString& title, con
 {
     setText(title);
     setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred); // as high as the others of its row
     setCursor(Qt::PointingHandCursor);
     setAttribute(Qt::WA_Hover);
     updateAccessibleName();
@@ -78,6 +101,7 @@ void StartCard::setMissing(const QString& words)
     m_words = words;
     updateAccessibleName();
     updateCross();
+    updateGeometry();
     update();
 }
 
@@ -93,16 +117,26 @@ void StartCard::setRemovable(const QString& tip)
     updateCross();
 }
 
+/// As high as all that is written on it.
 QSize StartCard::sizeHint() const
 {
-    if (m_shape == Shape::Action)
-        return {static_cast<int>(actionWidth * em()),
-                actionLines * fontMetrics().lineSpacing() + 2 * rim + em() / 2};
-    const int width = static_cast<int>(cardWidth * em());
-    const bool oneLine =
-        m_words.isEmpty() && QFontMetrics(titleFont(font())).horizontalAdvance(text()) <= width - 2 * rim;
-    return {width,
-            static_cast<int>(pictureHeight * em()) + (oneLine ? 1 : 2) * fontMetrics().lineSpacing() + 3 * rim};
+    const bool action = m_shape == Shape::Action;
+    const int width = static_cast<int>((action ? actionWidth : cardWidth) * em());
+    const int room = width - 2 * rim - (action ? pictureRect().width() + rim : 0);
+    const int lines = std::min(titleLines, linesOf(text(), titleFont(font()), room)) +
+                      std::min(wordLines, linesOf(m_words, font(), room));
+    const int spacing = fontMetrics().lineSpacing();
+    return {width, action ? std::max(actionLines, lines) * spacing + 2 * rim + em() / 2
+                          : static_cast<int>(pictureHeight * em()) + lines * spacing + 3 * rim};
+}
+
+bool StartCard::showsAll() const
+{
+    const QRect room = wordsRect();
+    const int title = linesOf(text(), titleFont(font()), room.width());
+    const int words = linesOf(m_words, font(), room.width());
+    return title <= titleLines && words <= wordLines &&
+           (title + words) * fontMetrics().lineSpacing() <= room.height() + 1;
 }
 
 QRect StartCard::pictureRect() const
@@ -170,15 +204,10 @@ void StartCard::paintWords(QPainter& painter) const
     const QColor strong = palette().color(QPalette::Text);
     painter.setPen(strong);
     painter.setFont(titleFont(font()));
-    const int titleLines =
-        m_shape == Shape::Picture && painter.fontMetrics().horizontalAdvance(text()) > room.width() ? 2 : 1;
-    drawLines(painter, room, text(), titleLines);
-    if (titleLines > 1)
-        return; // the tool tip has the words
+    const int title = drawLines(painter, room, text(), titleLines);
     painter.setPen(mixed(palette().color(QPalette::Base), strong, 0.68));
     painter.setFont(font());
-    const QRect below = room.adjusted(0, fontMetrics().lineSpacing(), 0, 0);
-    drawLines(painter, below, m_words, m_shape == Shape::Picture ? 1 : actionLines - 1);
+    drawLines(painter, room.adjusted(0, title * fontMetrics().lineSpacing(), 0, 0), m_words, wordLines);
 }
 
 void StartCard::resizeEvent(QResizeEvent*)

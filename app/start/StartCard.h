@@ -8,7 +8,8 @@ class QToolButton;
 
 namespace bolster {
 
-/// Reached by Tab and arrows, pressed by Enter or Space. As large as its font asks for.
+/// Reached by Tab and arrows, pressed by Enter or Space. As large as its font and
+/// its words ask for.
 class StartCard : public QAbstractButton {
     Q_OBJECT
 
@@ -29,6 +30,8 @@ public:
     /// A cross in its corner, or Delete, takes it out of the list.
     void setRemovable(const QString& tip);
     const QString& words() const { return m_words; }
+    /// There is room for every word.
+    bool showsAll() const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

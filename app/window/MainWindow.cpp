@@ -282,30 +282,51 @@ void MainWindow::storeLayout()
     settings.setValue(sizesKey, m_docks->saveSizes());
 }
 
+void MainWindow::restart()
+{
+    m_restarts = true;
+    close();
+}
+
+/// Not inside the event that led here.
+void MainWindow::closeAgain(bool restarts)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, restarts] {
+            m_restarts = restarts;
+            close();
+        },
+        Qt::QueuedConnection);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    const bool restarts = std::exchange(m_restarts, false); // not when it is closed after all another time
     document().cancelGesture(); // a series of arrow keys is an edit of its own when it ends
     if (!std::exchange(m_workKept, false) && (document().hasUnsavedWork() || m_session->saving())) {
         event->ignore();
-        m_files->keepWork([this] {
+        m_files->keepWork([this, restarts] {
             m_workKept = true;
-            QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); // not inside its own event
+            closeAgain(restarts);
         });
         return;
     }
     if (!std::exchange(m_jobsGivenUp, false) && !Jobs::all().running().isEmpty()) {
         event->ignore();
         m_workKept = true; // that was answered
-        askAboutJobs();
+        askAboutJobs(restarts);
         return;
     }
     storeLayout();
     m_session->end();
     event->accept();
+    if (restarts)
+        emit restartWanted(m_session->path());
 }
 
 /// Asks once at a time; who goes on working answers for his unsaved work anew.
-void MainWindow::askAboutJobs()
+void MainWindow::askAboutJobs(bool restarts)
 {
     QStringList names;
     for (const Jobs::Job& job : Jobs::all().running())
@@ -317,13 +338,13 @@ void MainWindow::askAboutJobs()
         tr("What is closed now is not finished; files that are being written stay as they were."));
     const QAbstractButton* stop = box->addButton(tr("&Stop it and close"), QMessageBox::DestructiveRole);
     box->setDefaultButton(QMessageBox::Cancel);
-    openQuestion(box, [this, stop](const QAbstractButton* pressed) {
+    openQuestion(box, [this, stop, restarts](const QAbstractButton* pressed) {
         m_workKept = pressed == stop;
         if (pressed != stop)
             return;
         m_jobsGivenUp = true;
         Jobs::all().cancelAll();
-        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
+        closeAgain(restarts);
     });
 }
 

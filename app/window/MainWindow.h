@@ -91,6 +91,13 @@ public:
     SpotsPanel& spotsPanel() { return *m_spots; }
     CuttingPanel& cuttingPanel() { return *m_cutting; }
 
+    /// Closes as always, with all questions; who agrees to it is to start the program again.
+    void restart();
+
+signals:
+    /// It is closed, and shall be there again with this project or design; empty: there was none.
+    void restartWanted(const QString& path);
+
 protected:
     void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
@@ -117,7 +124,8 @@ private:
     void connectJobs();
     void connectStartPage();
     void pageMoved();
-    void askAboutJobs();
+    void askAboutJobs(bool restarts);
+    void closeAgain(bool restarts);
     void designOpened();
     void keepCamera();
     void lookAtOpened();
@@ -172,6 +180,7 @@ private:
     bool m_fitCover = false;    ///< the next surface is the first of its design
     bool m_wasShown = false;
     bool m_arranged = false;    ///< docks and tool bars are where they were at the last end
+    bool m_restarts = false;    ///< closing is for starting again
     bool m_workKept = false;    ///< closing was agreed to
     bool m_jobsGivenUp = false; ///< the same of what is still being worked at
 };

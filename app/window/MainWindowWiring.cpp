@@ -123,9 +123,10 @@ void MainWindow::addCommands()
     addArea<WindowCommands>(commands, *m_docks, *m_inspector);
     m_tour = &addArea<Tour>(
         commands, Tour::Parts{*m_session, m_selection, *m_maps, *m_files, *m_pattern, *m_surface, *m_docks, *this});
-    auto& preferences = addArea<PreferenceCommands>(
-        commands, *m_preferences,
-        PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface, *m_fabricCommands, *this});
+    auto& preferences =
+        addArea<PreferenceCommands>(commands, *m_preferences,
+                                    PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface,
+                                                              *m_fabricCommands, *this, [this] { restart(); }});
     addArea<ManualCommands>(commands, *this, [this] {
         const auto& chosen = m_selection.elements();
         const ElementPtr first = chosen.empty() ? nullptr : document().design().element(*chosen.begin());

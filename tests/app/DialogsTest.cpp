@@ -252,6 +252,36 @@ TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
     EXPECT_TRUE(QToolTip::isVisible()) << "it stays";
 }
 
+/// What the solver has to say may come at any moment.
+TEST_F(DialogsTest, AHalfTypedNumberIsNotLostWhenTheSolverHasSomethingToSay)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilAtRest());
+    const Document& document = window.document();
+    ElementId patch = noElement;
+    document.design().each<Patch>([&](ElementId id, const Patch&) { patch = id; });
+    window.selection().set({patch});
+    const auto box = [&] { return window.inspector().widget()->findChild<NumberBox*>(); };
+    const QString shown = box()->text();
+    const double before = box()->value();
+    const int edits = document.history().count();
+    const auto typeHalf = [&](const QString& text) {
+        box()->setFocus();
+        box()->selectAll();
+        QTest::keyClicks(box(), text);
+        window.inspector().setScanFigures({}); // as problems do: all fields are shown anew
+        EXPECT_EQ(box()->text(), text + box()->suffix());
+    };
+    typeHalf("1");
+    QTest::keyClick(box(), Qt::Key_Escape);
+    EXPECT_EQ(box()->text(), shown);
+    EXPECT_EQ(document.history().count(), edits);
+    typeHalf("1");
+    QTest::keyClick(box(), Qt::Key_Tab);
+    EXPECT_EQ(document.history().count(), edits + 1);
+    EXPECT_NE(box()->value(), before);
+}
+
 TEST_F(DialogsTest, TheFirstClickIntoANumberTakesAllOfItTheSecondPlacesTheCaret)
 {
     ASSERT_TRUE(open(sample("box-cushion")));

@@ -2,6 +2,7 @@
 
 #include "Commands.h"
 #include "ElidedLabel.h"
+#include "StartCard.h"
 
 #include <QAbstractSpinBox>
 #include <QAccessible>
@@ -11,11 +12,14 @@
 #include <QDialog>
 #include <QFileDialog>
 #include <QGroupBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScrollBar>
+#include <QScrollArea>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QTest>
 
 #include <algorithm>
@@ -76,6 +80,68 @@ void addButton(const QAbstractButton& button, QStringList& found)
         found << described(button, button.text(), button.width(), needs);
 }
 
+/// What is too long for a field can be scrolled by the caret; a number is looked at only.
+void addSpinBox(const QAbstractSpinBox& box, QStringList& found)
+{
+    constexpr int margins = 2 * 2, caret = 1; // of every line of text
+    const auto* line = box.findChild<const QLineEdit*>();
+    const int needs = line->fontMetrics().horizontalAdvance(line->displayText()) + margins + caret;
+    if (needs > line->contentsRect().width())
+        found << described(box, line->displayText(), line->contentsRect().width(), needs);
+}
+
+/// Words, not the names that somebody gave to something.
+void addComboBox(const QComboBox& box, QStringList& found)
+{
+    if (box.isEditable() || box.property("data").toBool())
+        return;
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    option.subControls = QStyle::SC_All;
+    option.iconSize = box.iconSize();
+    const int has =
+        box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+    const int icon = box.itemIcon(box.currentIndex()).isNull() ? 0 : box.iconSize().width() + 4;
+    const int needs = box.fontMetrics().horizontalAdvance(box.currentText()) + icon;
+    if (needs > has)
+        found << described(box, box.currentText(), has, needs);
+}
+
+void addHeads(const QHeaderView& heads, QStringList& found)
+{
+    if (heads.orientation() != Qt::Horizontal)
+        return;
+    const int margin = heads.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &heads);
+    for (int column = 0; column < heads.count(); ++column) {
+        const QString text = heads.model()->headerData(column, Qt::Horizontal).toString();
+        const int needs = heads.fontMetrics().horizontalAdvance(text) + 2 * margin;
+        if (!text.isEmpty() && !heads.isSectionHidden(column) && needs > heads.sectionSize(column))
+            found << described(heads, text, heads.sectionSize(column), needs);
+    }
+}
+
+void addCard(const StartCard& card, QStringList& found)
+{
+    if (!card.showsAll())
+        found << described(card, card.text() + u' ' + card.words(), card.height(), card.sizeHint().height());
+}
+
+void addGroup(const QGroupBox& box, QStringList& found)
+{
+    const int needs = box.fontMetrics().horizontalAdvance(box.title());
+    if (needs > box.width())
+        found << described(box, box.title(), box.width(), needs);
+}
+
+/// Nobody comes to what lies beside one that does not scroll there.
+void addScrollArea(const QScrollArea& area, QStringList& found)
+{
+    if (area.widget() && area.horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff &&
+        area.widget()->width() > area.viewport()->width())
+        found << described(area, area.objectName() + QStringLiteral(" contents"), area.viewport()->width(),
+                           area.widget()->width());
+}
+
 } // namespace
 
 int lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const QString& id)>& look)
@@ -100,18 +166,17 @@ int lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const Q
 QStringList clippedTexts(const QWidget& window)
 {
     QStringList found;
-    for (const auto* widget : window.findChildren<QWidget*>()) {
-        if (!widget->isVisible())
-            continue;
-        if (const auto* label = qobject_cast<const QLabel*>(widget))
-            addLabel(*label, found);
-        else if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
-            addButton(*button, found);
-        else if (const auto* box = qobject_cast<const QGroupBox*>(widget);
-                 box && box->fontMetrics().horizontalAdvance(box->title()) > box->width())
-            found << described(*box, box->title(), box->width(),
-                               box->fontMetrics().horizontalAdvance(box->title()));
-    }
+    const auto look = [&]<class Kind>(const QWidget* widget, void (*add)(const Kind&, QStringList&)) {
+        const auto* one = qobject_cast<const Kind*>(widget);
+        if (one)
+            add(*one, found);
+        return one != nullptr;
+    };
+    for (const auto* widget : window.findChildren<QWidget*>())
+        if (widget->isVisible())
+            (void)(look(widget, &addLabel) || look(widget, &addCard) || look(widget, &addButton) ||
+                   look(widget, &addSpinBox) || look(widget, &addComboBox) || look(widget, &addHeads) ||
+                   look(widget, &addScrollArea) || look(widget, &addGroup));
     return found;
 }
 

@@ -4,13 +4,17 @@
 #include "CoverView.h"
 #include "Inspector.h"
 #include "MeshImport.h"
+#include "SeamsModel.h"
+#include "SeamsView.h"
 #include "Theme.h"
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QSettings>
 #include <QTabBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeView>
 
 namespace bolster {
 namespace {
@@ -44,6 +48,23 @@ TEST_F(WindowTest, ResettingTheLayoutSelectsNothing)
     waitUntilLaidOut();
     EXPECT_TRUE(window.selection().elements().empty());
     EXPECT_TRUE(window.patternView().hasFocus()) << "who worked there goes on there";
+}
+
+TEST_F(WindowTest, EaseAndTheOrderOfSewingAreSeenInASmallWindow)
+{
+    window.command("window.reset-layout")->trigger();
+    window.resize(1280, 800);
+    ASSERT_TRUE(open(sample("car-seat")));
+    Docks::reveal(window.docks().seams);
+    waitUntilLaidOut();
+    const QTreeView& table = window.seams().table();
+    for (const auto column :
+         {SeamsModel::Label, SeamsModel::Name, SeamsModel::Difference, SeamsModel::Ratio, SeamsModel::Step}) {
+        const int left = table.header()->sectionViewportPosition(column);
+        EXPECT_GE(left, 0) << column;
+        EXPECT_LE(left + table.header()->sectionSize(column), table.viewport()->width()) << column;
+    }
+    window.command("window.reset-layout")->trigger(); // kept for other tests
 }
 
 TEST_F(WindowTest, ADockThatFloatsComesBackAfterTheWindow)

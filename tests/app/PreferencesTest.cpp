@@ -2,6 +2,7 @@
 #include "WindowTest.h"
 
 #include "ApplyPreferences.h"
+#include "ElementEdits.h"
 #include "Inspector.h"
 #include "KeyPresets.h"
 #include "NumberBox.h"
@@ -297,6 +298,51 @@ TEST_F(PreferencesTest, AThemeAndLargerLettersComeAtOnce)
     EXPECT_NEAR(QApplication::font().pointSizeF(), size, 0.1);
     EXPECT_EQ(window.preferences().now(), Preferences());
     shown.close();
+}
+
+TEST_F(PreferencesTest, WhatHoldsAtTheNextStartOnlyOffersToStartAgain)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    const QString path = window.session().path();
+    QStringList again;
+    QObject::connect(&window, &MainWindow::restartWanted, [&](const QString& with) { again << with; });
+    PreferencesWindow& shown = preferences();
+    shown.showPage(PreferencePage::Looks);
+    auto& restart = editor<QPushButton>(shown, "restart");
+    choose(shown, "window/theme", QString::number(static_cast<int>(Theme::Dark)));
+    EXPECT_FALSE(restart.isVisible()) << "that holds already";
+    choose(shown, "language", "de");
+    EXPECT_TRUE(restart.isVisible());
+    choose(shown, "language", {});
+    EXPECT_FALSE(restart.isVisible());
+    choose(shown, "language", "de");
+
+    window.document().commit(edits::addElement(window.document().design(), makeElement(Fabric())));
+    answer(QMessageBox::Cancel);
+    QTest::mouseClick(&restart, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 20000));
+    EXPECT_TRUE(window.isVisible()) << "asked as when it is closed";
+    answer(QMessageBox::Discard);
+    QTest::mouseClick(&restart, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !again.isEmpty(); }, 20000));
+    EXPECT_FALSE(window.isVisible());
+    EXPECT_EQ(again, QStringList{path});
+    EXPECT_EQ(storedPreferences().language, "de");
+}
+
+TEST_F(PreferencesTest, WhoStaysAndClosesLaterDoesNotStartAgain)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    bool again = false;
+    QObject::connect(&window, &MainWindow::restartWanted, [&] { again = true; });
+    window.document().commit(edits::addElement(window.document().design(), makeElement(Fabric())));
+    answer(QMessageBox::Cancel);
+    window.restart();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 20000));
+    answer(QMessageBox::Discard);
+    window.close();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.isVisible(); }, 20000));
+    EXPECT_FALSE(again);
 }
 
 TEST_F(PreferencesTest, TogglesOfTheMenusAreTheSameSettings)

@@ -356,6 +356,83 @@ TEST_F(InspectorTest, TakesTheNumberThatLayBelowVaries)
     EXPECT_EQ(document.history().count(), 4) << "no step from nowhere";
 }
 
+TEST_F(InspectorTest, WhatIsHalfTypedStaysWhenTheSolverHasSomethingToSay)
+{
+    selection.set({firstSquare});
+    const auto pressure = [this] { return boxes("Pressure").front(); };
+    const auto name = [this] { return inspector.widget()->findChildren<QLineEdit*>().front(); };
+    int said = 0;
+    const auto solverSays = [&] {
+        problems.set({{firstSquare, {}, {}, {"%1", {std::to_string(++said)}}, Severity::Warning}});
+    };
+    const auto typeHalf = [](QWidget* field, const QString& text) {
+        field->setFocus();
+        QMetaObject::invokeMethod(field, "selectAll");
+        QTest::keyClicks(field, text);
+    };
+    typeHalf(pressure(), "0.2");
+    solverSays();
+    EXPECT_EQ(pressure()->text(), "0.2");
+    QTest::keyClicks(pressure(), "5");
+    solverSays();
+    QTest::keyClick(pressure(), Qt::Key_Return);
+    EXPECT_EQ(patch(firstSquare).pressure, 0.25);
+    EXPECT_EQ(document.history().count(), 2);
+
+    typeHalf(pressure(), "0.7");
+    solverSays();
+    QTest::keyClick(pressure(), Qt::Key_Escape);
+    EXPECT_EQ(pressure()->text(), "0.25") << "given up";
+
+    const QString before = name()->text();
+    typeHalf(name(), "Hal");
+    solverSays();
+    EXPECT_EQ(name()->text(), "Hal");
+    QTest::keyClick(name(), Qt::Key_Escape);
+    EXPECT_EQ(name()->text(), before);
+
+    typeHalf(pressure(), "0.7");
+    selection.set({secondSquare});
+    EXPECT_EQ(pressure()->text(), "0") << "another element's";
+    EXPECT_EQ(patch(firstSquare).pressure, 0.7) << "taken, as whenever the keyboard goes elsewhere";
+    EXPECT_EQ(document.history().count(), 3);
+
+    set(secondSquare, 0.5);
+    selection.set({firstSquare, secondSquare});
+    typeHalf(pressure(), "0.7");
+    solverSays();
+    EXPECT_EQ(pressure()->text(), "0.7");
+    QTest::keyClick(pressure(), Qt::Key_Escape);
+    EXPECT_EQ(pressure()->text(), "") << "they differ still";
+    QTest::keyClick(pressure(), Qt::Key_Return);
+    EXPECT_EQ(document.history().count(), 4) << "the one of set() above";
+}
+
+TEST(NumberBox, WhatIsHalfTypedStaysWhenAnotherValueComes)
+{
+    NumberBox box({QStringLiteral(" mm")});
+    std::vector<double> entered;
+    QObject::connect(&box, &NumberBox::entered, [&](double value) { entered.push_back(value); });
+    const auto typeWhile = [&](const QString& text, std::optional<double> comes) {
+        box.display(3);
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        box.display(comes);
+        EXPECT_EQ(box.text(), text + " mm");
+        QTest::keyClick(&box, Qt::Key_Return);
+    };
+    typeWhile("5", 4);
+    typeWhile("3", 4); // what it was, but is not any more
+    typeWhile("3", std::nullopt);
+    EXPECT_EQ(entered, (std::vector<double>{5, 3, 3}));
+    entered.clear();
+    typeWhile("wide", 4);
+    EXPECT_EQ(box.text(), "4 mm") << "refused";
+    typeWhile("wide", std::nullopt);
+    EXPECT_EQ(box.text(), "") << "refused";
+    EXPECT_TRUE(entered.empty());
+}
+
 TEST_F(InspectorTest, ChecksAndChoicesShowWhereTheyDiffer)
 {
     Patch turned = patch(secondSquare);

@@ -13,6 +13,7 @@
 #include "TestDesigns.h"
 
 #include <QAbstractItemModelTester>
+#include <QAccessible>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -83,6 +84,24 @@ TEST_F(ListsTest, AClickInTheHistoryJumps)
     EXPECT_EQ(document.history().current(), 1);
     EXPECT_EQ(document.design().find<Patch>(firstSquare)->name, "A");
     keepPicture(view, "history");
+}
+
+/// What a screen reader's user does with a row.
+TEST_F(ListsTest, TheActionOfARowSelectsItsElement)
+{
+    ElementsView view(document, selection, problems);
+    view.resize(260, 400);
+    view.show();
+    QAccessibleInterface* tree = QAccessible::queryAccessibleInterface(view.findChild<QTreeView*>());
+    ASSERT_TRUE(tree && tree->tableInterface());
+    const QString name = QString::fromStdString(document.design().find<Patch>(secondSquare)->name);
+    QAccessibleInterface* row = nullptr;
+    for (int at = 0; at < tree->tableInterface()->rowCount(); ++at)
+        if (QAccessibleInterface* one = tree->tableInterface()->cellAt(at, 0); one->text(QAccessible::Name) == name)
+            row = one;
+    ASSERT_TRUE(row && row->actionInterface());
+    row->actionInterface()->doAction(row->actionInterface()->actionNames().front());
+    EXPECT_EQ(selection.elements(), Selection::Elements{secondSquare});
 }
 
 TEST_F(ListsTest, ElementsAreListedByKind)

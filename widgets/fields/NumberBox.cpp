@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
 #include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -64,9 +66,11 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     connect(&NumberStyles::instance(), &NumberStyles::changed, this, &NumberBox::followStyle);
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumWidth(72);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // down to what it shows
     lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        lineEdit()->setModified(false); // what follows from it is to be seen
+        fitShown();
         m_typedOver = false;
         m_whyRefused.clear();
         emit entered(value);
@@ -79,7 +83,7 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         lineEdit()->setModified(false);
-        finishVarying();
+        finishOver();
     });
 }
 
@@ -127,13 +131,14 @@ QString NumberBox::shownUnit() const
     return m_unit == millimetreSuffix ? lengthSuffix() : m_unit;
 }
 
-/// The number that was typed may be the one that lay below "varies": nobody has heard of it then.
-void NumberBox::finishVarying()
+/// The number that was typed may be the one that lay below "varies", or that was here before another came: nobody
+/// has heard of it then.
+void NumberBox::finishOver()
 {
     if (!std::exchange(m_typedOver, false))
         return;
     if (std::exchange(m_refused, false))
-        display(std::nullopt);
+        display(m_meanwhile);
     else
         emit entered(value());
 }
@@ -177,8 +182,11 @@ QString NumberBox::finishTyping()
 
 void NumberBox::display(std::optional<double> value)
 {
-    if (!value && m_typedOver)
+    m_meanwhile = value;
+    if (lineEdit()->isModified()) {
+        m_typedOver = m_typedOver || value != std::optional(this->value());
         return;
+    }
     const QSignalBlocker quiet(this);
     m_varies = !value;
     m_typedOver = false;
@@ -186,12 +194,35 @@ void NumberBox::display(std::optional<double> value)
         setSuffix(unit);
     lineEdit()->setPlaceholderText(m_varies ? variesText() : QString());
     if (!value) {
-        if (!lineEdit()->isModified())
-            lineEdit()->clear();
-        return;
+        lineEdit()->clear();
+    } else {
+        setRange(std::min(m_least, *value), std::max(m_most, *value));
+        setValue(*value);
     }
-    setRange(std::min(m_least, *value), std::max(m_most, *value));
-    setValue(*value);
+    fitShown();
+}
+
+/// Its place is as wide as the number that it shows needs.
+void NumberBox::fitShown()
+{
+    if (const int width = minimumSizeHint().width(); std::exchange(m_room, width) != width)
+        updateGeometry();
+}
+
+/// Less than what all numbers of the range would need: hardly any is near its limits.
+QSize NumberBox::minimumSizeHint() const
+{
+    constexpr int besideText = 2 * 2 + 2; // pixels: what a line of text keeps free, and the caret
+    const QFontMetrics metrics = fontMetrics();
+    const auto widthOf = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+    const QString shown = m_varies ? variesText() : textFromValue(value()) + suffix();
+    const QString longest = textFromValue(maximum()) + suffix();
+    const int usual = std::min(widthOf(QStringLiteral("888") + suffix()), widthOf(longest));
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    return style()->sizeFromContents(
+        QStyle::CT_SpinBox, &option,
+        {std::max(usual, widthOf(shown)) + besideText, lineEdit()->minimumSizeHint().height()}, this);
 }
 
 QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const

@@ -38,8 +38,9 @@ public:
 
     explicit NumberBox(const Range& range, QWidget* parent = nullptr);
 
-    /// Without a signal; keeps what the user is typing. A value out of range is shown as it is; nothing is shown as
-    /// "varies".
+    /// Without a signal; while the user is typing nothing is shown, until it is done or given up (Escape: the line
+    /// of text is set unmodified, and the value shown again). A value out of range is shown as it is; nothing is
+    /// shown as "varies".
     void display(std::optional<double> value);
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
@@ -48,6 +49,7 @@ public:
     /// What is typed is no such number: says so, and the value stays.
     void fixup(QString& text) const override;
     void stepBy(int steps) override;
+    QSize minimumSizeHint() const override;
     /// Done with what is typed, as if the keyboard went elsewhere. Why it was refused, once; else empty.
     QString finishTyping();
 
@@ -64,9 +66,10 @@ protected:
 
 private:
     void followStyle();
+    void fitShown();
     double stepInInches() const;
     QString shownUnit() const;
-    void finishVarying();
+    void finishOver();
     /// Why what was typed is not taken.
     QString refusal(const QString& text) const;
     void say(const QString& why) const;
@@ -75,17 +78,19 @@ private:
     /// The number that is meant, or nothing.
     std::optional<double> numberIn(const QString& text) const;
 
+    int m_room = 0; ///< pixels, for the number that is shown
     double m_least;
     double m_most;
     QString m_unit;
     int m_decimals; ///< behind the point, of mm
     double m_step;
-    bool m_lengths;                 ///< takes units of length
-    bool m_varies = false;          ///< no one value
-    bool m_typedOver = false;       ///< over "varies"
-    bool m_clickedInto = false;     ///< the button is still down
-    mutable bool m_refused = false; ///< what was typed last
-    mutable QString m_whyRefused;   ///< until something else is typed or `finishTyping` has said it
+    bool m_lengths;                    ///< takes units of length
+    bool m_varies = false;             ///< no one value
+    bool m_typedOver = false;          ///< over "varies", or over another value than what is shown since
+    std::optional<double> m_meanwhile; ///< what was to be shown last
+    bool m_clickedInto = false;        ///< the button is still down
+    mutable bool m_refused = false;    ///< what was typed last
+    mutable QString m_whyRefused;      ///< until something else is typed or `finishTyping` has said it
 };
 
 } // namespace bolster

@@ -171,6 +171,9 @@ void ElementsView::buildTree()
     m_tree->setIconSize({16, 16});
     m_tree->setUniformRowHeights(true);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    // There is one column. For rows, Qt's accessible action of a row would take its place in its group for its
+    // place in the tree, and select another.
+    m_tree->setSelectionBehavior(QAbstractItemView::SelectItems);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_tree->setExpandsOnDoubleClick(false);
     m_tree->setMouseTracking(true);

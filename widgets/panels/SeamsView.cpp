@@ -5,6 +5,7 @@
 #include "SeamEdits.h"
 #include "SeamsModel.h"
 #include "Selection.h"
+#include "Units.h"
 #include "ViewColors.h"
 
 #include <QApplication>
@@ -185,15 +186,10 @@ void SeamsView::buildTable()
     QHeaderView* header = m_table->header();
     header->setStretchLastSection(false);
     header->setMinimumSectionSize(28);
-    const int digit = m_table->fontMetrics().horizontalAdvance(u'0');
-    for (const auto& [column, digits] :
-         {std::pair(SeamsModel::Label, 6), std::pair(SeamsModel::Name, 16), std::pair(SeamsModel::Difference, 10),
-          std::pair(SeamsModel::Ratio, 7), std::pair(SeamsModel::ContinuityColumn, 6),
-          std::pair(SeamsModel::LengthA, 11), std::pair(SeamsModel::LengthB, 11),
-          std::pair(SeamsModel::MatchColumn, 11), std::pair(SeamsModel::Step, 6)})
-        header->resizeSection(column, digits * digit + 8);
-    header->moveSection(SeamsModel::Step, 2); // the order of sewing is looked for, lengths are looked up
+    header->moveSection(SeamsModel::Step, 4); // ease and the order of sewing are looked for, lengths are looked up
+    fitColumns();
 
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &SeamsView::fitColumns);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SeamsView::selectFromTable);
     connect(m_table, &QTreeView::entered, this,
             [this](const QModelIndex& index) { m_selection.hover(idOf(index)); });
@@ -201,6 +197,46 @@ void SeamsView::buildTable()
         if (!(index.flags() & Qt::ItemIsEditable))
             emit shown(idOf(index));
     });
+}
+
+/// As wide as their heads and what usually is in them.
+void SeamsView::fitColumns()
+{
+    QHeaderView* header = m_table->header();
+    const QFontMetrics metrics = m_table->fontMetrics();
+    constexpr int besideText = 8, sign = 18; // pixels
+    const QString length = QStringLiteral("8888.8") + lengthSuffix();
+    const std::pair<SeamsModel::Column, QString> usual[] = {
+        {SeamsModel::Label, QStringLiteral("W")},
+        {SeamsModel::Difference, QStringLiteral("+88.8") + lengthSuffix()},
+        {SeamsModel::Ratio, QStringLiteral("+88.8 %")},
+        {SeamsModel::Step, QStringLiteral("88")},
+        {SeamsModel::ContinuityColumn, QStringLiteral("G1")},
+        {SeamsModel::LengthA, length},
+        {SeamsModel::LengthB, length},
+        {SeamsModel::MatchColumn, SeamsModel::choices(SeamsModel::MatchColumn).back()}};
+    for (const auto& [column, text] : usual) {
+        const QString head = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const bool signs = column == SeamsModel::Label || column == SeamsModel::Difference;
+        header->resizeSection(column, std::max(metrics.horizontalAdvance(text) + (signs ? sign : 0),
+                                               header->fontMetrics().horizontalAdvance(head)) +
+                                          besideText);
+    }
+    fitNames();
+}
+
+/// The two names stand below each other, and leave room for what is looked for: ease and the order of sewing.
+void SeamsView::fitNames()
+{
+    constexpr int fewestLetters = 8, mostLetters = 22;
+    QHeaderView* header = m_table->header();
+    int others = 0;
+    for (int place = 0; place <= header->visualIndex(SeamsModel::Step); ++place)
+        if (const int column = header->logicalIndex(place); column != SeamsModel::Name)
+            others += header->sectionSize(column);
+    const int letter = m_table->fontMetrics().averageCharWidth();
+    header->resizeSection(SeamsModel::Name, std::clamp(m_table->viewport()->width() - others,
+                                                       fewestLetters * letter, mostLetters * letter));
 }
 
 void SeamsView::updateHint()
@@ -244,10 +280,16 @@ void SeamsView::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         m_model->recolor();
+    else if (event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &SeamsView::fitColumns,
+                                  Qt::QueuedConnection); // its table hears of it later
 }
 
 bool SeamsView::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize &&
+        static_cast<QResizeEvent*>(event)->oldSize().width() != m_table->viewport()->width())
+        fitNames();
     if (watched != m_table && event->type() == QEvent::Leave)
         m_selection.hover(noElement);
     // Here all seams are meant, not all patches: who deletes them then keeps these.

@@ -34,6 +34,8 @@ protected:
 
 private:
     void buildTable();
+    void fitColumns();
+    void fitNames();
     void selectInTable();
     void selectFromTable();
     void updateHint();

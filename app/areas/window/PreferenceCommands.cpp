@@ -92,7 +92,9 @@ PreferencesWindow& PreferenceCommands::open()
 {
     if (!m_window) {
         m_window = new PreferencesWindow(
-            m_store, [this] { m_commands["help.edit-shortcuts"]->trigger(); }, &m_parts.window);
+            m_store,
+            PreferencesWindow::Ways{[this] { m_commands["help.edit-shortcuts"]->trigger(); }, m_parts.restart},
+            &m_parts.window);
         m_window->setAttribute(Qt::WA_DeleteOnClose);
     }
     m_window->show();

@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include <functional>
+
 class QAction;
 class QMainWindow;
 
@@ -32,6 +34,7 @@ public:
         CoverView& surface;
         FabricCommands& fabrics;
         QMainWindow& window;
+        std::function<void()> restart; ///< ends the program and starts it again
     };
     /// What the preferences say holds from here on, but for the keys: these are loaded when all menus are there.
     PreferenceCommands(Commands& commands, PreferenceStore& store, const Parts& parts);
