@@ -235,7 +235,7 @@ void SeamsView::fitNames()
         if (const int column = header->logicalIndex(place); column != SeamsModel::Name)
             others += header->sectionSize(column);
     const int letter = m_table->fontMetrics().averageCharWidth();
-    header->resizeSection(SeamsModel::Name, std::clamp(m_table->viewport()->width() - others,
+    header->resizeSection(SeamsModel::Name, std::clamp(m_table->viewport()->width() - others - 1,
                                                        fewestLetters * letter, mostLetters * letter));
 }
 
@@ -287,8 +287,7 @@ void SeamsView::changeEvent(QEvent* event)
 
 bool SeamsView::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_table->viewport() && event->type() == QEvent::Resize &&
-        static_cast<QResizeEvent*>(event)->oldSize().width() != m_table->viewport()->width())
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
         fitNames();
     if (watched != m_table && event->type() == QEvent::Leave)
         m_selection.hover(noElement);
