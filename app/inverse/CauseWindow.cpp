@@ -119,7 +119,7 @@ void CauseWindow::build()
     layout->addWidget(m_list, 1);
     layout->addWidget(m_alike);
     layout->addWidget(buttons);
-    resize(620, 560);
+    resize(780, 560);
     if (const QWidget* window = parentWidget())
         move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
 }
