@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>Klick wählt aus, Ziehen dreht – Ansicht verschieben: %1, zoomen: %2</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Klicken wählt das Maß aus, Entf entfernt es</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3102,8 +3106,12 @@
         <translation>zwei Schnittteile</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>Die 3D-Ansicht zeigt, wie lang es auf dem Bezug ist.</translation>
+        <source>On the cover</source>
+        <translation>Auf dem Bezug</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
     </message>
 </context>
 <context>
@@ -5765,10 +5773,6 @@
         <translation>%1: „%2“ hat ein Dezimalkomma; exportieren Sie mit Dezimalpunkten</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>Der Ordner „%1“ kann nicht angelegt werden.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Den Schnitt einer Form machen</translation>
     </message>
@@ -5915,6 +5919,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>Der Ordner „%1“ enthält die Arbeit eines anderen Entwurfs oder anderer Optionen: wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden (%2).</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>%1 und alles, was es braucht, entfernen (%2 Elemente)</translation>
     </message>
 </context>
 <context>

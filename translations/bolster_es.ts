@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>Clic para seleccionar, arrastrar para girar — %1 desplaza, %2 amplía</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Clic para seleccionar la medida, Supr la elimina</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3102,8 +3106,12 @@
         <translation>dos piezas</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>La vista 3D dice cuánto mide en la funda.</translation>
+        <source>On the cover</source>
+        <translation>En la funda</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>todavía no</translation>
     </message>
 </context>
 <context>
@@ -5765,10 +5773,6 @@
         <translation>%1: «%2» tiene una coma decimal; exporte con puntos decimales</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>No se puede crear la carpeta «%1».</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Hacer el patrón de una forma</translation>
     </message>
@@ -5915,6 +5919,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>La carpeta «%1» contiene el trabajo de otro diseño o de otras opciones: elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>No se puede crear la carpeta «%1» (%2).</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>Quitar %1 y lo que lo necesita (%2 elementos)</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>Cliquez pour sélectionner, faites glisser pour tourner – déplacer la vue&#x202f;: %1, zoomer&#x202f;: %2</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Cliquez pour sélectionner la mesure, Suppr la supprime</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3102,8 +3106,12 @@
         <translation>deux pièces</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>La vue 3D indique sa longueur sur la housse.</translation>
+        <source>On the cover</source>
+        <translation>Sur la housse</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
     </message>
 </context>
 <context>
@@ -5765,10 +5773,6 @@
         <translation>%1&#x202f;: «&#x202f;%2&#x202f;» a une virgule décimale&#x202f;; exportez avec des points décimaux</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>Impossible de créer le dossier «&#x202f;%1&#x202f;».</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Faire le patron d’une forme</translation>
     </message>
@@ -5915,6 +5919,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>Le dossier «&#x202f;%1&#x202f;» contient le travail d’un autre projet ou d’autres options&#x202f;: choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>Impossible de créer le dossier «&#x202f;%1&#x202f;» (%2).</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>Supprimer %1 et ce qui en dépend (%2 éléments)</translation>
     </message>
 </context>
 <context>

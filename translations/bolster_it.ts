@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>Clic per selezionare, trascinare per ruotare – %1 sposta la vista, %2 esegue lo zoom</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Clic per selezionare la misura, Canc la rimuove</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3102,8 +3106,12 @@
         <translation>due pezzi</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>La vista 3D dice quanto misura sul rivestimento.</translation>
+        <source>On the cover</source>
+        <translation>Sul rivestimento</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>non ancora</translation>
     </message>
 </context>
 <context>
@@ -5765,10 +5773,6 @@
         <translation>%1: «%2» ha una virgola decimale; esportare con punti decimali</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>Impossibile creare la cartella «%1».</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Crea il cartamodello di una forma</translation>
     </message>
@@ -5915,6 +5919,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>La cartella «%1» contiene il lavoro di un altro progetto o di altre opzioni: scegliere un’altra cartella.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>Impossibile creare la cartella «%1» (%2).</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>Rimuovi %1 e ciò che ne ha bisogno (%2 elementi)</translation>
     </message>
 </context>
 <context>

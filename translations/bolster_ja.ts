@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>クリックで選択、ドラッグで回転。%1で移動、%2でズーム</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>クリックで測定を選択、Delete で削除</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3098,8 +3102,12 @@
         <translation>2 つのパーツ</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>カバー上の長さは 3D ビューに表示されます。</translation>
+        <source>On the cover</source>
+        <translation>カバー上</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>未測定</translation>
     </message>
 </context>
 <context>
@@ -5761,10 +5769,6 @@
         <translation>%1: 「%2」の小数点がコンマです。ピリオドでエクスポートしてください</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>フォルダー「%1」を作成できません。</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>形状から型紙を作成</translation>
     </message>
@@ -5911,6 +5915,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>フォルダー「%1」には別のデザインまたは別のオプションの結果があります。別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>フォルダー「%1」を作成できません (%2)。</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>%1 とそれに依存するもの (%2 要素) を削除</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>Kliknięcie zaznacza, przeciąganie obraca – %1 przesuwa, %2 powiększa</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>Kliknięcie zaznacza pomiar, Delete go usuwa</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3106,8 +3110,12 @@
         <translation>dwa elementy</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>Widok 3D pokazuje długość na pokrowcu.</translation>
+        <source>On the cover</source>
+        <translation>Na pokrowcu</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>jeszcze nie</translation>
     </message>
 </context>
 <context>
@@ -5769,10 +5777,6 @@
         <translation>%1: „%2” ma przecinek dziesiętny; wyeksportuj z kropkami</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>Nie można utworzyć folderu „%1”.</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>Utwórz wykrój formy</translation>
     </message>
@@ -5919,6 +5923,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>Folder „%1” zawiera pracę innego projektu lub innych opcji: wybierz inny folder.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>Nie można utworzyć folderu „%1” (%2).</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>Usuń: %1 i to, co tego wymaga (elementy: %2)</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,10 @@
         <source>Click to select, drag to turn – %1 pans, %2 zooms</source>
         <translation>单击选择，拖动旋转——%1 平移，%2 缩放</translation>
     </message>
+    <message>
+        <source>Click to select the measurement, Delete removes it</source>
+        <translation>单击选择测量，Delete 删除</translation>
+    </message>
 </context>
 <context>
     <name>CushionForm</name>
@@ -3098,8 +3102,12 @@
         <translation>两个样片</translation>
     </message>
     <message>
-        <source>The 3D view says how long it is on the cover.</source>
-        <translation>3D 视图显示其在面套上的长度。</translation>
+        <source>On the cover</source>
+        <translation>在面套上</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>尚无</translation>
     </message>
 </context>
 <context>
@@ -5761,10 +5769,6 @@
         <translation>%1：“%2”使用小数逗号；请以小数点导出</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made.</source>
-        <translation>无法创建文件夹“%1”。</translation>
-    </message>
-    <message>
         <source>Make the pattern of a form</source>
         <translation>由形体生成样板</translation>
     </message>
@@ -5911,6 +5915,14 @@
     <message>
         <source>The folder &quot;%1&quot; holds the work of another design or of other options: choose another folder.</source>
         <translation>文件夹“%1”中是另一设计或其他选项的结果：请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made (%2).</source>
+        <translation>无法创建文件夹“%1”（%2）。</translation>
+    </message>
+    <message>
+        <source>Remove %1 and what needs it (%2 elements)</source>
+        <translation>移除 %1 及依赖它的内容（%2 个元素）</translation>
     </message>
 </context>
 <context>

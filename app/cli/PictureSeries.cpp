@@ -2,7 +2,9 @@
 
 #include "DesignJson.h"
 
-#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
 
 namespace bolster::cli {
 
@@ -28,7 +30,8 @@ PictureSeries::PictureSeries(const RenderOrder& order, const Design& design, con
     if (const PictureLook& look = order.picture.look; !look.map && !look.checker)
         design.each<Colourway>(
             [&](ElementId id, const Colourway& colourway) { colours.emplace_back(id, colourway.name); });
-    if (colours.empty())
+    const bool one = colours.empty();
+    if (one)
         colours.emplace_back(design.settings().colourway, "");
     int number = 0;
     for (const auto& [id, name] : colours) {
@@ -36,17 +39,28 @@ PictureSeries::PictureSeries(const RenderOrder& order, const Design& design, con
         for (const NamedView& view : series.views) {
             QString file = forFile(view.name) + "." + QString::fromStdString(series.format);
             if (!name.empty())
-                file = QString("%1-%2-%3").arg(number, 2, 10, QChar('0')).arg(forFile(name), file);
-            m_pieces.push_back({id, &view, m_folder.file(file)});
+                file.prepend(forFile(name) + "-");
+            if (!one)
+                file.prepend(QString("%1-").arg(number, 2, 10, QChar('0')));
+            if (std::ranges::find(m_pieces, m_folder.file(file), &Piece::path) ==
+                m_pieces.end()) // it is asked for twice
+                m_pieces.push_back({id, &view, m_folder.file(file)});
         }
     }
+}
+
+/// They are written as a whole.
+bool PictureSeries::isThere(const Piece& piece)
+{
+    const QFileInfo file(piece.path);
+    return file.isFile() && file.size() > 0;
 }
 
 std::vector<PictureSeries::Piece> PictureSeries::missing(const JobShare& share) const
 {
     std::vector<Piece> missing;
     for (std::size_t k = 0; k < m_pieces.size(); ++k)
-        if (share.has(static_cast<int>(k)) && !QFile::exists(m_pieces[k].path)) // they are written as a whole
+        if (share.has(static_cast<int>(k)) && !isThere(m_pieces[k]))
             missing.push_back(m_pieces[k]);
     return missing;
 }

@@ -180,6 +180,8 @@ bool Pictures::drawAll()
 bool Pictures::drawAll(const std::vector<PictureSeries::Piece>& pieces)
 {
     return std::ranges::all_of(pieces, [this](const PictureSeries::Piece& piece) {
+        if (PictureSeries::isThere(piece)) // meanwhile, by another run
+            return true;
         PictureOrder order = m_order.picture;
         order.look.colourway = piece.colourway;
         order.from = piece.view->from;

@@ -46,17 +46,19 @@ void checkSize(const PreviewOptions& options)
                          " are drawn");
 }
 
-/// A word, two angles, or the name of a view that was saved in the window.
-std::variant<PictureDirection, RayCamera> parsedView(const std::string& name)
+/// A word, two angles (of a single one), or the name of a view that was saved in the window.
+std::variant<PictureDirection, RayCamera> parsedView(const std::string& name, bool single = true)
 {
     if (const auto direction = pictureDirection(name))
         return *direction;
     if (const auto saved = SavedViews::find(QString::fromStdString(name)))
         return RayCamera(*saved);
     const QStringList names = SavedViews::names();
-    throw UsageError("unknown view \"" + name + "\"; there are " + pictureDirections +
+    throw UsageError("unknown view \"" + QString::fromStdString(name).left(60).toStdString() + "\"; there are " +
+                     pictureDirections +
                      (names.isEmpty() ? std::string() : ", " + names.join(QStringLiteral(", ")).toStdString()) +
-                     ", or azimuth and elevation in degrees, like 30,20");
+                     (single ? ", or azimuth and elevation in degrees, like 30,20"
+                             : "; angles are for a single picture, --view"));
 }
 
 void takeMap(const Arguments& arguments, RenderOrder& order)
@@ -87,7 +89,7 @@ SeriesOrder parsedSeries(const Arguments& arguments, const QString& design)
     const QString views =
         arguments.has("--views") ? arguments.path("--views") : "three-quarter,front,back,left,right,top";
     for (const QString& name : views.split(',', Qt::SkipEmptyParts))
-        series.views.push_back({name.trimmed().toStdString(), parsedView(name.trimmed().toStdString())});
+        series.views.push_back({name.trimmed().toStdString(), parsedView(name.trimmed().toStdString(), false)});
     if (series.views.empty())
         throw UsageError("--views needs at least one view");
     series.share = jobShare(arguments);

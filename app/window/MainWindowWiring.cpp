@@ -316,6 +316,7 @@ void MainWindow::connectContextMenus()
 
 void MainWindow::connectFiles()
 {
+    connect(m_surface, &CoverView::measured, m_inspector, &Inspector::setCoverLengths);
     connect(m_inspector, &Inspector::fileWanted, this, [this](ElementId id) {
         if (document().design().find<Fabric>(id))
             m_fabricCommands->choosePicture(id);

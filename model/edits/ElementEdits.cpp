@@ -33,14 +33,24 @@ IsGone isAmong(const std::set<ElementId>& removed)
     };
 }
 
-/// Names what goes along: seams and fixations that need the removed elements.
-Message removeVerb(const Design& design, const std::set<ElementId>& removed, std::size_t changes)
+bool isSewing(const Element& element)
 {
+    return std::holds_alternative<Seam>(element) || std::holds_alternative<FixationSeam>(element);
+}
+
+/// Names what goes along: what needs the removed elements.
+Message removeVerb(const Design& design, const std::set<ElementId>& removed, const std::set<ElementId>& gone)
+{
+    const std::size_t changes = gone.size();
     if (removed.size() > 1)
         return {QT_TRANSLATE_NOOP("Message", "Remove %1 elements"), {std::to_string(changes)}};
     const std::string name = displayName(design, *removed.begin());
     if (changes == 1)
         return {QT_TRANSLATE_NOOP("Message", "Remove %1"), {name}};
+    if (!std::ranges::all_of(gone,
+                             [&](ElementId id) { return removed.contains(id) || isSewing(*design.element(id)); }))
+        return {QT_TRANSLATE_NOOP("Message", "Remove %1 and what needs it (%2 elements)"),
+                {name, std::to_string(changes - 1)}};
     if (changes == 2)
         return {QT_TRANSLATE_NOOP("Message", "Remove %1 and what is sewn to it"), {name}};
     return {QT_TRANSLATE_NOOP("Message", "Remove %1 and %2 seams and fixations"),
@@ -147,7 +157,7 @@ Edit removeElements(const Design& design, std::span<const ElementId> ids)
         else
             leave(id, element);
     }
-    edit.verb = removeVerb(design, removed, gone.size());
+    edit.verb = removeVerb(design, removed, gone);
     return edit;
 }
 

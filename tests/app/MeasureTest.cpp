@@ -89,13 +89,17 @@ TEST_F(MeasureTest, WhatIsMeasuredOnTheCoverIsKeptAndFollowsIt)
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(length() - before) > 0.01; }, 60000))
         << "of the cover as it is now";
 
+    window.command("tool.select")->trigger();
+    window.selection().clear();
+    designer.clickCover(0.4 * from + 0.6 * to);
+    EXPECT_EQ(window.selection().elements(), Selection::Elements{kept}) << "by its line";
+
     window.command("layer.measurements")->setChecked(false);
     EXPECT_FALSE(lines->isVisible());
     window.command("layer.measurements")->setChecked(true);
     EXPECT_TRUE(lines->isVisible());
     takeKeyboard();
     pattern().setFocus();
-    window.command("tool.select")->trigger();
     designer.key(Qt::Key_Delete);
     EXPECT_EQ(window.document().design().count<Measurement>(), 0);
     EXPECT_FALSE(lines->isVisible());

@@ -86,6 +86,10 @@ TEST_F(Render, DrawsEveryColourwayFromEveryViewAndGoesOnWhereItWasEnded)
     EXPECT_EQ(again.exitCode, 0);
     EXPECT_NE(again.out.find("all pictures are there"), std::string::npos);
 
+    write("parts/" + names[0], "");
+    EXPECT_EQ(all("parts").exitCode, 0);
+    EXPECT_EQ(bytes("parts/" + names[0]), bytes("whole/" + names[0])) << "an empty file is no picture";
+
     const ProgramRun other = all("parts", {"--transparent"});
     EXPECT_EQ(other.exitCode, 1);
     EXPECT_NE(other.err.find("other options"), std::string::npos) << other.err;

@@ -244,22 +244,27 @@ TEST_F(SplitMerge, MeasurementsStayWhereTheyAre)
     const ElementId width = design.nextId();
     measured = measured.with(addMeasurement(measured, to, over, "Over the edge"));
     const ElementId edge = ElementId{static_cast<std::int32_t>(width) + 1};
+    measured = measured.with(addMeasurement(measured, {seat, {0, 0}}, {seat, {500, 0}}, "Front edge"));
+    const ElementId corners = ElementId{static_cast<std::int32_t>(width) + 2};
     const auto places = [](const Design& in, ElementId id) {
         const Measurement& m = *in.find<Measurement>(id);
         return std::pair(toLayout(*in.find<Patch>(m.from.patch), m.from.position),
                          toLayout(*in.find<Patch>(m.to.patch), m.to.position));
     };
     const auto stay = [&](const Design& after, double tolerance) {
-        for (const ElementId id : {width, edge}) {
+        for (const ElementId id : {width, edge, corners}) {
             EXPECT_LT((places(after, id).first - places(measured, id).first).norm(), tolerance);
             EXPECT_LT((places(after, id).second - places(measured, id).second).norm(), tolerance);
         }
     };
-    const Outcome cut = splitPatch(measured, seat, {{260, 0}, {260, 900}});
-    const Design halves = done(measured, cut);
-    const Measurement& across = *halves.find<Measurement>(width);
-    EXPECT_NE(across.from.patch, across.to.patch) << "each end goes with its half";
-    stay(halves, 1e-9);
+    for (const double x : {180.0, 340.0}) { // the piece that gets another id is on the left, then on the right
+        const Design halves = done(measured, splitPatch(measured, seat, {{x, 0}, {x, 900}}));
+        for (const ElementId id : {width, corners}) {
+            const Measurement& across = *halves.find<Measurement>(id);
+            EXPECT_NE(across.from.patch, across.to.patch) << "each end goes with its half";
+        }
+        stay(halves, 1e-9);
+    }
 
     const Design merged = done(measured, mergePatches(measured, seam));
     const Measurement& inOne = *merged.find<Measurement>(edge);

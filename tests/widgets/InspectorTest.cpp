@@ -130,6 +130,22 @@ TEST_F(InspectorTest, ANoteHasSeveralLinesAndIsOneEdit)
     selection.set({secondSquare});
     EXPECT_EQ(note(), "ask Anna\nabout this!") << "what was typed is not lost";
     EXPECT_EQ(inspector.widget()->findChild<QPlainTextEdit*>()->toPlainText(), "") << "it is another one's";
+    box = inspector.widget()->findChild<QPlainTextEdit*>();
+    box->setFocus();
+    QTest::keyClicks(box, "kept ");
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return elementNote(*document.design().element(secondSquare)) == "kept"; }, 10000))
+        << "without leaving it";
+    QTest::keyClicks(box, "by itself");
+    EXPECT_EQ(box->toPlainText(), "kept by itself") << "typing goes on where it was";
+    document.commit(edits::changeNote(document.design(), firstSquare, std::string(60'000, 'x')));
+    selection.set({firstSquare});
+    box = inspector.widget()->findChild<QPlainTextEdit*>();
+    EXPECT_TRUE(box->isReadOnly());
+    EXPECT_LT(box->toPlainText().size(), 51'000);
+    box->setFocus();
+    box->clearFocus();
+    EXPECT_EQ(note().size(), 60'000U) << "what is not shown is not lost";
     selection.clear();
     EXPECT_FALSE(inspector.widget()->findChild<QPlainTextEdit*>()) << "settings have none";
 }

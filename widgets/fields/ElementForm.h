@@ -32,6 +32,7 @@ struct FormSources {
     DesignFiles files;
     std::map<ElementId, ScanFigures> scanFigures;
     std::map<ElementId, FabricPictures> fabricPictures;
+    std::map<ElementId, double> coverLengths; ///< of measurements on the cover, mm
 };
 
 /// What the user wants of a scan beyond its numbers.

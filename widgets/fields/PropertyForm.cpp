@@ -19,6 +19,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpacerItem>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -73,16 +74,28 @@ public:
     {
         setTabChangesFocus(true);
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        connect(this, &QPlainTextEdit::textChanged, this, [this] { fitText(); });
+        constexpr int pause = 3000; // ms: who types no more wants it kept
+        m_pause.setSingleShot(true);
+        m_pause.setInterval(pause);
+        connect(&m_pause, &QTimer::timeout, this, [this] { finish(); });
+        connect(this, &QPlainTextEdit::textChanged, this, [this] {
+            fitText();
+            m_pause.start();
+        });
         fitText();
     }
 
     std::function<void()> finished;
 
+    /// The caret stays where it is unless there is something else. Of a text that would take minutes to show there
+    /// is the beginning, and nothing can be typed.
     void show(const QString& text)
     {
-        if (text != toPlainText())
-            setPlainText(text);
+        constexpr qsizetype mostShown = 50'000; // letters
+        const QString shown = text.size() > mostShown ? text.left(mostShown) + u'\u2026' : text;
+        if (shown != (hasFocus() ? toPlainText().trimmed() : toPlainText()))
+            setPlainText(shown);
+        setReadOnly(text.size() > mostShown);
         document()->setModified(false);
     }
 
@@ -147,6 +160,8 @@ private:
         const int around = 2 * (frameWidth() + static_cast<int>(document()->documentMargin()));
         setFixedHeight(lines * fontMetrics().lineSpacing() + around);
     }
+
+    QTimer m_pause; ///< since somebody typed
 };
 
 /// Scrolling through the panel must not change on the way what has no keyboard.

@@ -53,7 +53,11 @@ void MeasurementForm::add(PropertyForm& form, const Ids& ids) const
         return m.from.patch == m.to.patch ? lengthText((m.to.position - m.from.position).norm(), 2)
                                           : tr("two patches");
     });
-    form.explain(tr("The 3D view says how long it is on the cover."));
+    if (!measured.several())
+        measured.info(tr("On the cover"), [this, id = ids.front()](const Design&, const Measurement&) {
+            const auto found = m_sources.coverLengths.find(id);
+            return found == m_sources.coverLengths.end() ? tr("not yet") : lengthText(found->second, 2);
+        });
 }
 
 void FancySeamForm::add(PropertyForm& form, const Ids& ids) const

@@ -55,14 +55,16 @@ class MeasurementForm : public ElementForm {
     Q_DECLARE_TR_FUNCTIONS(MeasurementForm)
 
 public:
-    explicit MeasurementForm(Document& document)
+    MeasurementForm(Document& document, const FormSources& sources)
         : m_document(document)
+        , m_sources(sources)
     {}
 
     void add(PropertyForm& form, const Ids& ids) const override;
 
 private:
     Document& m_document;
+    const FormSources& m_sources;
 };
 
 class InternalLineForm : public ElementForm {

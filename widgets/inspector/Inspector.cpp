@@ -62,6 +62,12 @@ void Inspector::setFabricPictures(std::map<ElementId, FabricPictures> pictures)
     refresh();
 }
 
+void Inspector::setCoverLengths(const std::map<ElementId, double>& lengths)
+{
+    if (std::exchange(m_forms.sources().coverLengths, lengths) != lengths)
+        refresh();
+}
+
 /// A frame's file says which parts it has.
 void Inspector::setFiles(DesignFiles files)
 {

@@ -20,6 +20,8 @@ public:
     void setScanFigures(std::map<ElementId, ScanFigures> figures);
     void setFabricPictures(std::map<ElementId, FabricPictures> pictures);
     void setFiles(DesignFiles files);
+    /// Of measurements on the cover, mm.
+    void setCoverLengths(const std::map<bolster::ElementId, double>& lengths);
 
 signals:
     /// The user wants another file for this element.

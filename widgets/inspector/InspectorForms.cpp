@@ -51,7 +51,7 @@ InspectorForms::InspectorForms(Document& document, const Selection& selection, c
     use<Frame, FrameForm>(document, m_sources, m_wishes);
     use<HandleCurve, HandleCurveForm>(document);
     use<InternalLine, InternalLineForm>(document);
-    use<Measurement, MeasurementForm>(document);
+    use<Measurement, MeasurementForm>(document, m_sources);
     use<Notch, NotchForm>(document);
     use<OutlineTrim, OutlineTrimForm>(document);
     use<Patch, PatchForm>(document);

@@ -186,7 +186,7 @@ QVariant ElementsModel::data(const QModelIndex& index, int role) const
 
 QVariant ElementsModel::groupData(const Group& group, int role) const
 {
-    return role == Qt::DisplayRole || role == SearchRole ? kindTitle(group.kind) : QVariant();
+    return role == Qt::DisplayRole ? kindTitle(group.kind) : QVariant();
 }
 
 QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) const
@@ -229,7 +229,7 @@ QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) 
     case NoteRole:
         return row.note;
     case SearchRole:
-        return QString(row.name + u'\n' + row.note);
+        return QString(row.name + u'\n' + kindTitle(kind) + u'\n' + row.note);
     case ElementRole:
         return number(row.id);
     case HiddenRole:

@@ -73,10 +73,10 @@ void PatternPainter::paint()
         paintSeamLinks();
     if (m_in.cut)
         paintCutMarks(m_painter, *m_in.cut, m_in.scene, m_in.transform, m_in.colors, m_in.selection, m_words);
-    if (m_in.layers.measurements)
-        paintMeasures();
     if (m_in.layers.points)
         paintAllPoints();
+    if (m_in.layers.measurements)
+        paintMeasures();
     paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);
 }
 

@@ -12,6 +12,8 @@ namespace {
 constexpr double tick = 5;    // to each side of an end
 constexpr double padding = 3; // around the text
 
+constexpr double textAt = 0.3; // of the line: names of patches are in their middles
+
 } // namespace
 
 void paintMeasure(QPainter& painter, const MeasurePicture& picture, const QColor& color, const QColor& ground)
@@ -39,7 +41,7 @@ void paintMeasure(QPainter& painter, const MeasurePicture& picture, const QColor
     if (picture.text.isEmpty() || (line.length() < size.width() && !picture.strong))
         return;
     QRectF box(QPointF(), size);
-    box.moveCenter(line.center());
+    box.moveCenter(line.pointAt(textAt));
     halo.setAlphaF(0.9F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(halo);

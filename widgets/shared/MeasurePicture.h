@@ -17,7 +17,7 @@ struct MeasurePicture {
     bool strong = false;
 };
 
-/// A line with its ends marked, and the text on its middle where there is room for both.
+/// A line with its ends marked, and the text on it where there is room for both.
 void paintMeasure(QPainter& painter, const MeasurePicture& picture, const QColor& color, const QColor& ground);
 
 } // namespace bolster

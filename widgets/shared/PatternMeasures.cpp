@@ -34,7 +34,9 @@ const PatternMeasure* PatternMeasures::at(const Vec2& place, double tolerance) c
     const PatternMeasure* best = nullptr;
     double nearest = tolerance;
     for (const auto& [id, measure] : m_all)
-        if (const double distance = distanceToLine(measure, place); distance < nearest) {
+        if (const double distance = distanceToLine(measure, place);
+            distance < nearest &&
+            std::min((measure.from - place).norm(), (measure.to - place).norm()) > tolerance) {
             nearest = distance;
             best = &measure;
         }

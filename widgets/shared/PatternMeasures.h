@@ -25,7 +25,8 @@ public:
     /// Makes those among `owners` anew.
     void update(const Design& design, const std::set<ElementId>& owners);
     const std::map<ElementId, PatternMeasure>& all() const { return m_all; }
-    /// The nearest one within `tolerance` (mm) of its line; null for none.
+    /// The nearest one within `tolerance` (mm) of its line, but not at its ends, which belong to what lies there;
+    /// null for none.
     const PatternMeasure* at(const Vec2& place, double tolerance) const;
 
 private:

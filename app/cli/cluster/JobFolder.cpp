@@ -6,6 +6,10 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+
+#include <filesystem>
+#include <system_error>
 
 namespace bolster::cli {
 
@@ -20,8 +24,8 @@ Message JobFolder::open() const
     if (folder.exists() && !folder.isEmpty() && !folder.exists("asked"))
         return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" holds other files: choose one of its own."),
                 {m_path.toStdString()}};
-    if (!QDir().mkpath(m_path))
-        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" cannot be made."), {m_path.toStdString()}};
+    if (Message problem = madeFolder(m_path); !problem.empty())
+        return problem;
     const QString name = file("asked");
     if (!QFile::exists(name))
         return replaceWholeFile(name, m_asked + "\n");
@@ -30,6 +34,18 @@ Message JobFolder::open() const
                                              "options: choose another folder."),
                 {m_path.toStdString()}};
     return {};
+}
+
+Message madeFolder(const QString& path)
+{
+    std::error_code error;
+    std::filesystem::create_directories(QFile::encodeName(path).toStdString(), error);
+    if (!error && !QFileInfo(path).isDir())
+        error = std::make_error_code(std::errc::not_a_directory);
+    if (!error)
+        return {};
+    return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" cannot be made (%2)."),
+            {path.toStdString(), error.message()}};
 }
 
 QByteArray jobHash(const std::string& bytes)

@@ -25,6 +25,9 @@ private:
     std::string m_asked; ///< its hash
 };
 
+/// Makes it with those above it, or says why not.
+Message madeFolder(const QString& path);
+
 /// SHA-1, of 20 bytes: against mistakes, not against people.
 QByteArray jobHash(const std::string& bytes);
 

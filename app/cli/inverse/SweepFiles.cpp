@@ -4,7 +4,6 @@
 #include "NumberField.h"
 #include "WholeFile.h"
 
-#include <QDir>
 #include <QFile>
 
 #include <nlohmann/json.hpp>
@@ -159,9 +158,7 @@ Message SweepFolder::open() const
 {
     if (Message problem = m_folder.open(); !problem.empty())
         return problem;
-    if (!QDir().mkpath(file("parts")))
-        return {QT_TRANSLATE_NOOP("Message", "The folder \"%1\" cannot be made."), {file("parts").toStdString()}};
-    return {};
+    return madeFolder(file("parts"));
 }
 
 QString SweepFolder::partFile(int part) const

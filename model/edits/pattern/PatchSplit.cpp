@@ -71,7 +71,7 @@ public:
         movePatchPoints(
             m_design.elements(), m_id,
             [&](PatchPoint& point) {
-                if (side(point.position) == 1)
+                if (isOfSmall(point.position))
                     point.patch = m_small.id;
             },
             [&](ElementId id, ElementPtr moved) { m_builder.set(id, std::move(moved)); });
@@ -95,6 +95,14 @@ private:
         if (isInside(m_small.outline, point))
             return 1;
         return isInside(m_large.outline, point) ? -1 : 0;
+    }
+
+    /// On an outline a point is inside of neither: it goes with the part of the outline.
+    bool isOfSmall(const Vec2& point) const
+    {
+        const int inside = side(point);
+        const bool nearer = m_small.kept.closest(point).distance < m_large.kept.closest(point).distance;
+        return inside > 0 || (inside == 0 && nearer);
     }
 
     void divide(ElementId id, const Element& element, std::vector<ElementId>& dropped)

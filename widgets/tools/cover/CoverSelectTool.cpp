@@ -283,7 +283,9 @@ QString CoverSelectTool::prompt() const
     case CoverHit::Kind::Curve:
         return tr("Click to select the curve, double click to add a control point here");
     case CoverHit::Kind::Seam:
-        return tr("Click to select the seam");
+        return m_context.document().design().find<Measurement>(m_hover.element)
+                   ? tr("Click to select the measurement, Delete removes it")
+                   : tr("Click to select the seam");
     case CoverHit::Kind::Cover:
         return tr("Click to select the patch, drag to turn the view");
     case CoverHit::Kind::Frame:

@@ -8,6 +8,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace bolster {
 
 CoverMeasures::CoverMeasures(const Document& document, const Selection& selection, ShownScene& shown,
@@ -26,6 +28,8 @@ CoverMeasures::CoverMeasures(const Document& document, const Selection& selectio
     connect(&selection, &Selection::changed, this, &CoverMeasures::refresh);
     connect(&selection, &Selection::hoverChanged, this, &CoverMeasures::refresh);
     connect(&shown, &ShownScene::changed, this, &CoverMeasures::refresh);
+    connect(&document, &Document::changed, this, &CoverMeasures::measure);
+    connect(&shown, &ShownScene::rested, this, &CoverMeasures::measure);
 }
 
 void CoverMeasures::setWanted(bool wanted)
@@ -43,26 +47,60 @@ void CoverMeasures::refresh()
     update();
 }
 
-void CoverMeasures::paintEvent(QPaintEvent*)
+void CoverMeasures::measure()
 {
-    const ViewColors& colors = m_shown.scene().colors;
+    std::map<ElementId, double> lengths;
+    m_document.design().each<Measurement>([&](ElementId id, const Measurement& measured) {
+        const auto from = m_shown.onCover({measured.from.patch, measured.from.position});
+        const auto to = m_shown.onCover({measured.to.patch, measured.to.position});
+        if (from && to)
+            lengths.emplace(id, (*to - *from).norm());
+    });
+    emit measured(lengths);
+}
+
+std::vector<CoverMeasures::Seen> CoverMeasures::seen() const
+{
+    std::vector<Seen> found;
     const std::optional<SectionPlane>& section = m_shown.scene().section;
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     m_document.design().each<Measurement>([&](ElementId id, const Measurement& measured) {
         const auto from = m_shown.onCover({measured.from.patch, measured.from.position});
         const auto to = m_shown.onCover({measured.to.patch, measured.to.position});
         if (!from || !to || (section && !(section->keeps(*from) && section->keeps(*to))))
             return;
-        const std::optional<Vec2> a = m_camera.pixel(*from), b = m_camera.pixel(*to);
-        if (!a || !b)
-            return;
-        const bool selected = m_selection.contains(id), hovered = m_selection.hovered() == id;
+        if (const std::optional<Vec2> a = m_camera.pixel(*from), b = m_camera.pixel(*to); a && b)
+            found.push_back({id, {a->x(), a->y(), b->x(), b->y()}, (*to - *from).norm()});
+    });
+    return found;
+}
+
+ElementId CoverMeasures::at(QPointF pixel) const
+{
+    constexpr double reach = 5; // pixels
+    if (!isVisible())
+        return noElement;
+    for (const Seen& measure : seen()) {
+        const QPointF way = measure.line.p2() - measure.line.p1(), to = pixel - measure.line.p1();
+        const double square = QPointF::dotProduct(way, way);
+        const double share = square > 0 ? std::clamp(QPointF::dotProduct(to, way) / square, 0.0, 1.0) : 0;
+        if (QLineF(measure.line.p1() + share * way, pixel).length() <= reach)
+            return measure.id;
+    }
+    return noElement;
+}
+
+void CoverMeasures::paintEvent(QPaintEvent*)
+{
+    const ViewColors& colors = m_shown.scene().colors;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Seen& measure : seen()) {
+        const bool selected = m_selection.contains(measure.id), hovered = m_selection.hovered() == measure.id;
         const QColor color = selected ? colors.accent : hovered ? colors.hover : colors.label;
         paintMeasure(painter,
-                     {{a->x(), a->y()}, {b->x(), b->y()}, lengthText((*to - *from).norm(), 1), selected || hovered},
+                     {measure.line.p1(), measure.line.p2(), lengthText(measure.length, 1), selected || hovered},
                      color, colors.canvas);
-    });
+    }
 }
 
 } // namespace bolster

@@ -1,7 +1,13 @@
 // Measurements over the 3D view, with their lengths on the cover.
 #pragma once
 
+#include "ElementId.h"
+
+#include <QLineF>
 #include <QWidget>
+
+#include <map>
+#include <vector>
 
 namespace bolster {
 
@@ -23,10 +29,26 @@ public:
     /// Cover, camera, design or selection have changed.
     void refresh();
 
+    /// The one whose line is under the pointer (pixels); noElement for none.
+    ElementId at(QPointF pixel) const;
+
+signals:
+    /// How long they are on the cover, mm; of those that are not on it nothing is said.
+    void measured(const std::map<bolster::ElementId, double>& lengths);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    struct Seen {
+        ElementId id{};
+        QLineF line;       ///< pixels
+        double length = 0; ///< mm
+    };
+    /// Those that are on the cover and in the picture.
+    std::vector<Seen> seen() const;
+    void measure();
+
     const Document& m_document;
     const Selection& m_selection;
     ShownScene& m_shown;

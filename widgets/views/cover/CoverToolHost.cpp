@@ -1,5 +1,6 @@
 #include "CoverToolHost.h"
 
+#include "CoverMeasures.h"
 #include "Document.h"
 #include "PointerNote.h"
 #include "ScanCutTool.h"
@@ -13,11 +14,12 @@
 namespace bolster {
 
 CoverToolHost::CoverToolHost(Document& document, Selection& selection, ShownScene& shown, const Camera& camera,
-                             const SectionHandle& section, QWidget& view)
+                             const SectionHandle& section, const CoverMeasures& measures, QWidget& view)
     : ToolHostOf(document, selection, view, &makeSurfaceTool)
     , m_shown(shown)
     , m_camera(camera)
     , m_section(section)
+    , m_measures(measures)
     , m_note(new PointerNote(&view))
 {}
 
@@ -111,7 +113,14 @@ void CoverToolHost::menuKey()
 
 CoverHit CoverToolHost::hit(QPointF pixel) const
 {
-    return m_shown.hit(m_camera, pixel);
+    CoverHit found = m_shown.hit(m_camera, pixel);
+    if (found.kind == CoverHit::Kind::Point || found.kind == CoverHit::Kind::Curve)
+        return found; // it can be dragged
+    if (const ElementId measure = m_measures.at(pixel); measure != noElement) {
+        found.kind = CoverHit::Kind::Seam; // a line on the cover, like these
+        found.element = measure;
+    }
+    return found;
 }
 
 const ViewColors& CoverToolHost::colors() const

@@ -11,6 +11,7 @@ class QMouseEvent;
 
 namespace bolster {
 
+class CoverMeasures;
 class PointerNote;
 class SectionHandle;
 class ShownScene;
@@ -19,7 +20,7 @@ class CoverToolHost : public ToolHostOf<CoverToolKind, CoverTool, CoverToolConte
 public:
     /// All must outlive it.
     CoverToolHost(Document& document, Selection& selection, ShownScene& shown, const Camera& camera,
-                  const SectionHandle& section, QWidget& view);
+                  const SectionHandle& section, const CoverMeasures& measures, QWidget& view);
 
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(ElementId scan, bool keep);
@@ -55,6 +56,7 @@ private:
     ShownScene& m_shown;
     const Camera& m_camera;
     const SectionHandle& m_section;
+    const CoverMeasures& m_measures;
     PointerNote* m_note; ///< the view's
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;
     bool m_guided = false; ///< the tool's guides are among the lines

@@ -29,7 +29,7 @@ CoverView::CoverView(Document& document, Selection& selection, QWidget* parent)
     , m_section(m_shown, m_navigation.camera(), *this)
     , m_crosshair(m_shown, m_navigation.camera(), *this)
     , m_measures(new CoverMeasures(document, selection, m_shown, m_navigation.camera(), this))
-    , m_tools(document, selection, m_shown, m_navigation.camera(), m_section.handle(), *this)
+    , m_tools(document, selection, m_shown, m_navigation.camera(), m_section.handle(), *m_measures, *this)
     , m_cube(new ViewCube(this))
     , m_legend(new MapLegend(this))
 {
@@ -44,6 +44,7 @@ CoverView::CoverView(Document& document, Selection& selection, QWidget* parent)
             lines.push_back(std::move(line));
         return lines;
     });
+    connect(m_measures, &CoverMeasures::measured, this, &CoverView::measured);
     wireScene();
     wireTools();
     m_whole = true;

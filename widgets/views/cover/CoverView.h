@@ -108,6 +108,8 @@ signals:
     void coverPointed(const std::optional<bolster::CoverPoint>& point);
     /// Clicked with the tool that selects.
     void coverClicked(const bolster::CoverPoint& point);
+    /// Of measurements on the cover, mm; when it has come to rest, and after edits.
+    void measured(const std::map<bolster::ElementId, double>& lengths);
     /// Another cover is in the picture on the screen.
     void pictured();
     void sectionClosed();
