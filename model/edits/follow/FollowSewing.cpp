@@ -3,8 +3,8 @@
 
 #include "CuttingEdits.h"
 #include "EditBuilder.h"
-#include "ElementStretches.h"
 #include "ElementRules.h"
+#include "ElementStretches.h"
 #include "PatchMark.h"
 #include "SeamStretches.h"
 #include "SeamsOfTwins.h"
