@@ -1,5 +1,6 @@
 #include "Ask.h"
 
+#include <QApplication>
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -8,6 +9,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -149,12 +151,30 @@ ProgressWindow openProgress(QWidget* window, const QString& text, int steps)
     return {dialog, bar};
 }
 
+namespace {
+
+/// A dialog that goes while the window manager is about to give it the keyboard leaves nobody with it: for the
+/// manager the window is the active one already, for Qt none is. Another program's keyboard is not taken.
+void takeKeyboardBack(QWidget& window)
+{
+    constexpr int moment = 150; // ms
+    QTimer::singleShot(moment, &window, [&window] {
+        if (QGuiApplication::applicationState() == Qt::ApplicationActive && !QApplication::activeWindow())
+            window.activateWindow();
+    });
+}
+
+} // namespace
+
 void closeProgress(QProgressDialog* dialog)
 {
     if (!dialog)
         return;
+    const bool seen = dialog->isVisible();
     dialog->hide();
     dialog->deleteLater();
+    if (seen)
+        takeKeyboardBack(*dialog->parentWidget()->window());
 }
 
 } // namespace bolster

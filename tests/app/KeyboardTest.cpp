@@ -1,4 +1,5 @@
 // Everything can be reached by keys, and no two things by the same.
+#include "Ask.h"
 #include "WindowTest.h"
 
 #include "CommandList.h"
@@ -11,6 +12,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QProgressDialog>
 #include <QTemporaryDir>
 #include <QTreeView>
 
@@ -134,6 +136,17 @@ TEST_F(KeyboardTest, EnterInTheListLeadsToTheProperties)
     QTest::keyClick(&elements.tree(), Qt::Key_Return);
     EXPECT_EQ(part(), window.docks().inspector);
     EXPECT_TRUE(qobject_cast<QLineEdit*>(QApplication::focusWidget())) << "its name";
+}
+
+TEST_F(KeyboardTest, TheWindowHasItAgainAfterAProgressThatWasShown)
+{
+    window.activateWindow();
+    QProgressDialog* progress = openProgress(&window, QStringLiteral("Reading ...")).dialog;
+    progress->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(progress));
+    QTest::qWait(30); // the window manager is about to give it the keyboard
+    closeProgress(progress);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.isActiveWindow(); }, 10000));
 }
 
 TEST_F(KeyboardTest, EnterAfterANameStaysInTheList)
