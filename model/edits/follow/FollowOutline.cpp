@@ -85,6 +85,8 @@ ElementPtr followedPoints(const std::map<ElementId, OutlinePlaces>& outlines, co
 {
     std::vector<PatchPoint> old;
     eachPatchPoint(before, [&](const PatchPoint& point) { old.push_back(point); });
+    if (old.empty())
+        return nullptr;
     Element moved = *element;
     std::size_t next = 0;
     eachPatchPoint(moved, [&](PatchPoint& point) {
