@@ -155,12 +155,14 @@ namespace {
 
 /// A dialog that goes while the window manager is about to give it the keyboard leaves nobody with it: for the
 /// manager the window is the active one already, for Qt none is. Another program's keyboard is not taken.
-void takeKeyboardBack(QWidget& window)
+void takeKeyboardBack(QWidget& window, int looks = 10)
 {
-    constexpr int moment = 150; // ms
-    QTimer::singleShot(moment, &window, [&window] {
+    constexpr int moment = 150; // ms: asking once is not always enough
+    QTimer::singleShot(moment, &window, [&window, looks] {
         if (QGuiApplication::applicationState() == Qt::ApplicationActive && !QApplication::activeWindow())
             window.activateWindow();
+        if (looks > 1)
+            takeKeyboardBack(window, looks - 1);
     });
 }
 
