@@ -104,11 +104,12 @@ function(bolster_library name)
 endfunction()
 
 # For all that is shipped: a buffer that overflows ends the program, and so do functions of the C library that would write
-# beyond their target.
+# beyond their target, and an index beyond the end of a container.
 function(bolster_hardened name)
     if(NOT BOLSTER_SANITIZE)
         target_compile_options(${name} PRIVATE -fstack-protector-strong
-                                               $<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=2>)
+                                               $<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=2>
+                                               $<$<CONFIG:Release>:-D_GLIBCXX_ASSERTIONS>)
     endif()
 endfunction()
 

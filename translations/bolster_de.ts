@@ -2522,10 +2522,6 @@
         <translation>Fläche des Bezugs, des Schnitts</translation>
     </message>
     <message>
-        <source>%1 m², %2 m²</source>
-        <translation>%1 m², %2 m²</translation>
-    </message>
-    <message>
         <source>Turned triangles</source>
         <translation>Umgeklappte Dreiecke</translation>
     </message>
@@ -3709,11 +3705,11 @@
         <translation>der Ordner „%1“ ließ sich nicht anlegen</translation>
     </message>
     <message>
-        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation</source>
         <translation>das Schnittteil ist frei im Raum: nichts hält es am Gestell; fügen Sie eine Fixierung hinzu</translation>
     </message>
     <message>
-        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation</source>
         <translation>dieses Schnittteil und die %1 daran genähten sind frei im Raum: nichts hält sie am Gestell; fügen Sie eine Fixierung hinzu</translation>
     </message>
     <message>
@@ -6270,10 +6266,6 @@
 <context>
     <name>PatternSplitTool</name>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Entfernt, weil nicht mehr sinnvoll: %1</translation>
-    </message>
-    <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
         <translation>Neben ein Schnittteil oder auf seinen Umriss klicken, um den Schnitt zu beginnen – Esc beendet das Werkzeug</translation>
     </message>
@@ -7033,16 +7025,8 @@
         <translation>Schnittteile</translation>
     </message>
     <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1, zusammen %2 m²</translation>
-    </message>
-    <message>
         <source>Seams</source>
         <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1, zusammen %2 m</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -7067,6 +7051,10 @@
     <message>
         <source>Direction</source>
         <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>%1, %2 in all</source>
+        <translation>%1, zusammen %2</translation>
     </message>
 </context>
 <context>
@@ -7851,6 +7839,22 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
     </message>
 </context>
 <context>
@@ -9814,6 +9818,14 @@
         <source>x %1   y %2   z %3</source>
         <translation>x %1   y %2   z %3</translation>
     </message>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>Entfernt, weil nicht mehr sinnvoll: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ManualWindow</name>
@@ -10077,10 +10089,6 @@
 </context>
 <context>
     <name>bolster::PatternCommands</name>
-    <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Entfernt, weil nicht mehr sinnvoll: %1</translation>
-    </message>
     <message>
         <source>This stretch is straight already.</source>
         <translation>Dieser Abschnitt ist schon gerade.</translation>

@@ -2522,10 +2522,6 @@
         <translation>Aire de la housse, du patron</translation>
     </message>
     <message>
-        <source>%1 m², %2 m²</source>
-        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
-    </message>
-    <message>
         <source>Turned triangles</source>
         <translation>Triangles retournés</translation>
     </message>
@@ -3709,11 +3705,11 @@
         <translation>le dossier «&#x202f;%1&#x202f;» n’a pas pu être créé</translation>
     </message>
     <message>
-        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation</source>
         <translation>la pièce est libre dans l’espace&#x202f;: rien ne la fixe à l’armature&#x202f;; ajoutez une fixation</translation>
     </message>
     <message>
-        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation</source>
         <translation>cette pièce et les %1 qui y sont cousues sont libres dans l’espace&#x202f;: rien ne les fixe à l’armature&#x202f;; ajoutez une fixation</translation>
     </message>
     <message>
@@ -6270,10 +6266,6 @@
 <context>
     <name>PatternSplitTool</name>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Supprimés, car ils n’ont plus de sens&#x202f;: %1</translation>
-    </message>
-    <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
         <translation>Cliquez à côté d’une pièce ou sur son contour pour commencer la coupe – Échap quitte l’outil</translation>
     </message>
@@ -7033,16 +7025,8 @@
         <translation>Pièces</translation>
     </message>
     <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1, %2&#xa0;m² en tout</translation>
-    </message>
-    <message>
         <source>Seams</source>
         <translation>Coutures</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1, %2&#xa0;m en tout</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -7067,6 +7051,10 @@
     <message>
         <source>Direction</source>
         <translation>Direction</translation>
+    </message>
+    <message>
+        <source>%1, %2 in all</source>
+        <translation>%1, %2 en tout</translation>
     </message>
 </context>
 <context>
@@ -7851,6 +7839,22 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1&#xa0;ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1&#xa0;m</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1&#xa0;ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1&#xa0;m²</translation>
     </message>
 </context>
 <context>
@@ -9814,6 +9818,14 @@
         <source>x %1   y %2   z %3</source>
         <translation>x %1   y %2   z %3</translation>
     </message>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>Supprimés, car ils n’ont plus de sens&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ManualWindow</name>
@@ -10077,10 +10089,6 @@
 </context>
 <context>
     <name>bolster::PatternCommands</name>
-    <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Supprimés, car ils n’ont plus de sens&#x202f;: %1</translation>
-    </message>
     <message>
         <source>This stretch is straight already.</source>
         <translation>Ce tronçon est déjà droit.</translation>

@@ -2522,10 +2522,6 @@
         <translation>Area di rivestimento e cartamodello</translation>
     </message>
     <message>
-        <source>%1 m², %2 m²</source>
-        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
-    </message>
-    <message>
         <source>Turned triangles</source>
         <translation>Triangoli ribaltati</translation>
     </message>
@@ -3709,11 +3705,11 @@
         <translation>impossibile creare la cartella «%1»</translation>
     </message>
     <message>
-        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation</source>
         <translation>il pezzo è libero nello spazio: nulla lo fissa al telaio; aggiungere un fissaggio</translation>
     </message>
     <message>
-        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation</source>
         <translation>questo pezzo e i %1 cuciti ad esso sono liberi nello spazio: nulla li fissa al telaio; aggiungere un fissaggio</translation>
     </message>
     <message>
@@ -6270,10 +6266,6 @@
 <context>
     <name>PatternSplitTool</name>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Rimossi perché non hanno più senso: %1</translation>
-    </message>
-    <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
         <translation>Fare clic accanto a un pezzo o sul suo contorno per iniziare il taglio – Esc chiude lo strumento</translation>
     </message>
@@ -7033,16 +7025,8 @@
         <translation>Pezzi</translation>
     </message>
     <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1, %2&#xa0;m² in tutto</translation>
-    </message>
-    <message>
         <source>Seams</source>
         <translation>Cuciture</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1, %2&#xa0;m in tutto</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -7067,6 +7051,10 @@
     <message>
         <source>Direction</source>
         <translation>Direzione</translation>
+    </message>
+    <message>
+        <source>%1, %2 in all</source>
+        <translation>%1, %2 in tutto</translation>
     </message>
 </context>
 <context>
@@ -7851,6 +7839,22 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1&#xa0;ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1&#xa0;m</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1&#xa0;ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1&#xa0;m²</translation>
     </message>
 </context>
 <context>
@@ -9814,6 +9818,14 @@
         <source>x %1   y %2   z %3</source>
         <translation>x %1   y %2   z %3</translation>
     </message>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>Rimossi perché non hanno più senso: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annulla</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ManualWindow</name>
@@ -10077,10 +10089,6 @@
 </context>
 <context>
     <name>bolster::PatternCommands</name>
-    <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Rimossi perché non hanno più senso: %1</translation>
-    </message>
     <message>
         <source>This stretch is straight already.</source>
         <translation>Questo tratto è già dritto.</translation>

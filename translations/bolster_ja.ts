@@ -2519,10 +2519,6 @@
         <translation>カバーの面積、型紙の面積</translation>
     </message>
     <message>
-        <source>%1 m², %2 m²</source>
-        <translation>%1&#xa0;m²、%2&#xa0;m²</translation>
-    </message>
-    <message>
         <source>Turned triangles</source>
         <translation>反転した三角形</translation>
     </message>
@@ -3705,11 +3701,11 @@
         <translation>フォルダー「%1」を作成できませんでした</translation>
     </message>
     <message>
-        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation</source>
         <translation>パーツが空間に浮いています。フレームに固定するものがありません。固定を追加してください</translation>
     </message>
     <message>
-        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation</source>
         <translation>このパーツと、縫い付けられた %1 個が空間に浮いています。フレームに固定するものがありません。固定を追加してください</translation>
     </message>
     <message>
@@ -6266,10 +6262,6 @@
 <context>
     <name>PatternSplitTool</name>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>意味がなくなったため削除: %1</translation>
-    </message>
-    <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
         <translation>パーツの横または輪郭上をクリックして切断を開始。Esc でツールを終了</translation>
     </message>
@@ -7029,16 +7021,8 @@
         <translation>パーツ</translation>
     </message>
     <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1 個、計 %2&#xa0;m²</translation>
-    </message>
-    <message>
         <source>Seams</source>
         <translation>縫い目</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1 本、計 %2&#xa0;m</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -7063,6 +7047,10 @@
     <message>
         <source>Direction</source>
         <translation>方向</translation>
+    </message>
+    <message>
+        <source>%1, %2 in all</source>
+        <translation>%1、計 %2</translation>
     </message>
 </context>
 <context>
@@ -7846,6 +7834,22 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1&#xa0;ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1&#xa0;m</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1&#xa0;ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1&#xa0;m²</translation>
     </message>
 </context>
 <context>
@@ -9785,6 +9789,14 @@
         <source>x %1   y %2   z %3</source>
         <translation>x %1   y %2   z %3</translation>
     </message>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>意味がなくなったため削除: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ManualWindow</name>
@@ -10048,10 +10060,6 @@
 </context>
 <context>
     <name>bolster::PatternCommands</name>
-    <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>意味がなくなったため削除: %1</translation>
-    </message>
     <message>
         <source>This stretch is straight already.</source>
         <translation>この区間はすでに直線です。</translation>

@@ -2525,10 +2525,6 @@
         <translation>Pole pokrowca, wykroju</translation>
     </message>
     <message>
-        <source>%1 m², %2 m²</source>
-        <translation>%1&#xa0;m², %2&#xa0;m²</translation>
-    </message>
-    <message>
         <source>Turned triangles</source>
         <translation>Odwrócone trójkąty</translation>
     </message>
@@ -3713,11 +3709,11 @@
         <translation>nie udało się utworzyć folderu „%1”</translation>
     </message>
     <message>
-        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation</source>
         <translation>element jest swobodny w przestrzeni: nic nie mocuje go do stelaża; dodaj mocowanie</translation>
     </message>
     <message>
-        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation</source>
         <translation>ten element i przyszyte do niego (%1) są swobodne w przestrzeni: nic nie mocuje ich do stelaża; dodaj mocowanie</translation>
     </message>
     <message>
@@ -6274,10 +6270,6 @@
 <context>
     <name>PatternSplitTool</name>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Usunięto, bo nie ma już sensu: %1</translation>
-    </message>
-    <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
         <translation>Kliknij obok elementu lub na jego konturze, aby zacząć cięcie – Esc kończy</translation>
     </message>
@@ -7037,16 +7029,8 @@
         <translation>Elementy</translation>
     </message>
     <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1, razem %2&#xa0;m²</translation>
-    </message>
-    <message>
         <source>Seams</source>
         <translation>Szwy</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1, razem %2&#xa0;m</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -7071,6 +7055,10 @@
     <message>
         <source>Direction</source>
         <translation>Kierunek</translation>
+    </message>
+    <message>
+        <source>%1, %2 in all</source>
+        <translation>%1, razem %2</translation>
     </message>
 </context>
 <context>
@@ -7856,6 +7844,22 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1&#xa0;ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1&#xa0;m</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1&#xa0;ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1&#xa0;m²</translation>
     </message>
 </context>
 <context>
@@ -9843,6 +9847,14 @@
         <source>x %1   y %2   z %3</source>
         <translation>x %1   y %2   z %3</translation>
     </message>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>Usunięto, bo nie ma już sensu: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Cofnij</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ManualWindow</name>
@@ -10106,10 +10118,6 @@
 </context>
 <context>
     <name>bolster::PatternCommands</name>
-    <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Usunięto, bo nie ma już sensu: %1</translation>
-    </message>
     <message>
         <source>This stretch is straight already.</source>
         <translation>Ten odcinek jest już prosty.</translation>

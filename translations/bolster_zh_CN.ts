@@ -2519,10 +2519,6 @@
         <translation>面套、样板的面积</translation>
     </message>
     <message>
-        <source>%1 m², %2 m²</source>
-        <translation>%1 m²、%2 m²</translation>
-    </message>
-    <message>
         <source>Turned triangles</source>
         <translation>翻转的三角形</translation>
     </message>
@@ -3705,11 +3701,11 @@
         <translation>无法创建文件夹“%1”</translation>
     </message>
     <message>
-        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation</source>
         <translation>样片悬空：没有任何东西将其固定到骨架；请添加固定</translation>
     </message>
     <message>
-        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation</source>
         <translation>此样片及与其缝合的 %1 个悬空：没有任何东西将其固定到骨架；请添加固定</translation>
     </message>
     <message>
@@ -6266,10 +6262,6 @@
 <context>
     <name>PatternSplitTool</name>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>因不再有意义而删除：%1</translation>
-    </message>
-    <message>
         <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
         <translation>在样片旁或其轮廓上单击开始切割——Esc 结束工具</translation>
     </message>
@@ -7029,16 +7021,8 @@
         <translation>样片</translation>
     </message>
     <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1，共 %2 m²</translation>
-    </message>
-    <message>
         <source>Seams</source>
         <translation>接缝</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1，共 %2 m</translation>
     </message>
     <message>
         <source>Select something to see its properties.</source>
@@ -7063,6 +7047,10 @@
     <message>
         <source>Direction</source>
         <translation>方向</translation>
+    </message>
+    <message>
+        <source>%1, %2 in all</source>
+        <translation>%1，共 %2</translation>
     </message>
 </context>
 <context>
@@ -7846,6 +7834,22 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
     </message>
 </context>
 <context>
@@ -9785,6 +9789,14 @@
         <source>x %1   y %2   z %3</source>
         <translation>x %1   y %2   z %3</translation>
     </message>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>因不再有意义而删除：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ManualWindow</name>
@@ -10048,10 +10060,6 @@
 </context>
 <context>
     <name>bolster::PatternCommands</name>
-    <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>因不再有意义而删除：%1</translation>
-    </message>
     <message>
         <source>This stretch is straight already.</source>
         <translation>此区段已是直线。</translation>

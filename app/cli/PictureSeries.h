@@ -20,7 +20,6 @@ public:
 
     /// Makes the folder, or says why not.
     Message open() const { return m_folder.open(); }
-    std::size_t count() const { return m_pieces.size(); }
     static bool isThere(const Piece& piece);
     /// Those of the share that are not there yet.
     std::vector<Piece> missing(const JobShare& share) const;

@@ -275,8 +275,8 @@ int render(std::span<const std::string> words)
         throw UsageError("--image would overwrite the design");
     if (const std::string problem = opened.readable ? orderProblem(order, opened.design) : ""; !problem.empty())
         throw UsageError(problem);
-    if (order.series && !printErrors(opened.problems))
-        return renderSeries(order, opened, interrupt);
+    if (order.series)
+        return printErrors(opened.problems) ? badInput : renderSeries(order, opened, interrupt);
     return drawSolved(order, opened, interrupt, [](Pictures& pictures) { return pictures.drawAll(); });
 }
 

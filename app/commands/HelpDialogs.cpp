@@ -170,8 +170,7 @@ void showFigures(QWidget* parent, const SolveReport& report)
          HelpDialogs::tr("%1, %2, %3")
              .arg(percentText(report.strain.rms), percentText(report.strain.p99), percentText(report.strain.max))},
         {HelpDialogs::tr("Area of the cover, of the pattern"),
-         HelpDialogs::tr("%1 m\u00b2, %2 m\u00b2")
-             .arg(decimalText(report.area * 1e-6, 3, true), decimalText(report.restArea * 1e-6, 3, true))},
+         HelpDialogs::tr("%1, %2").arg(areaText(report.area, 3), areaText(report.restArea, 3))},
         {HelpDialogs::tr("Turned triangles"), count(report.flippedTriangles)}};
     const Rows times{
         {HelpDialogs::tr("Iterations"), count(report.iterations)},

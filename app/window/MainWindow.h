@@ -126,6 +126,7 @@ private:
     void pageMoved();
     void askAboutJobs(bool restarts);
     void closeAgain(bool restarts);
+    void tellDropped(const Design& before, const std::vector<ElementId>& ids);
     void designOpened();
     void keepCamera();
     void lookAtOpened();
@@ -164,6 +165,7 @@ private:
     CuttingPanel* m_cutting;
     StatusLine* m_status;
     Banner* m_banner;
+    int m_toldDropped = 0; ///< the banner's number of that
     CommandPalette* m_palette = nullptr;
     FileFlow* m_files;
     DropFlow* m_drops;
@@ -176,6 +178,7 @@ private:
     Tour* m_tour = nullptr;
     bool m_jobsShown = false;   ///< by itself
     QTimer m_jobsSeen;          ///< a job takes longer than a moment: the list of jobs comes up
+    QTimer m_fabricsAwaited;    ///< until the fabrics are baked even without a cover
     bool m_coverAwaited = true; ///< of this design none was on the screen yet
     bool m_fitCover = false;    ///< the next surface is the first of its design
     bool m_wasShown = false;

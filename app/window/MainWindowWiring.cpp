@@ -9,6 +9,7 @@
 #include "Docks.h"
 #include "DrawingCommands.h"
 #include "EditCommands.h"
+#include "ElementText.h"
 #include "ElementsView.h"
 #include "FabricCommands.h"
 #include "FabricLink.h"
@@ -56,6 +57,7 @@
 #include "WindowCommands.h"
 
 #include <QApplication>
+#include <QLocale>
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -223,12 +225,26 @@ void MainWindow::connectDocument()
     });
     connect(&document(), &Document::noted, this,
             [this](const Message& note) { m_status->flash(translated(note)); });
+    connect(&document(), &Document::dropped, this, &MainWindow::tellDropped);
     connect(&document(), &Document::changed, this, [this] {
+        m_banner->withdraw(m_toldDropped);
         if (document().gestureRunning())
             m_status->flash({}); // what was said about the last drag would hide what this one says
         else
             m_status->forgetReason();
     });
+}
+
+/// As long as the design is as that edit left it: nobody sees at once that a handle is gone.
+void MainWindow::tellDropped(const Design& before, const std::vector<ElementId>& ids)
+{
+    QStringList names;
+    for (const ElementId id : ids)
+        names += displayName(before, id);
+    m_toldDropped = m_banner->announce(
+        Banner::Kind::Information,
+        tr("Removed, because they make no sense any more: %1").arg(QLocale().createSeparatedList(names)),
+        {{tr("&Undo"), [this] { document().undo(); }}});
 }
 
 void MainWindow::connectSolver()
@@ -273,6 +289,7 @@ void MainWindow::connectViews()
         if (m_coverAwaited && m_surface->shownSurface()) {
             m_coverAwaited = false;
             qCInfo(times, "the cover is on the screen");
+            m_fabricLink->begin();
         }
     });
     connect(m_surface, &CoverView::rendererNote, m_status, &StatusLine::setRendererNote);
@@ -408,8 +425,12 @@ void MainWindow::connectJobs()
 }
 
 /// What the start page lies over is neither drawn nor dressed; who can see a fabric elsewhere sees what it is like.
+/// The first cover comes before its fabric, which takes what solving and drawing would need meanwhile.
 void MainWindow::connectStartPage()
 {
+    m_fabricsAwaited.setSingleShot(true);
+    m_fabricsAwaited.setInterval(std::chrono::seconds(1)); // there may be no cover, or one that takes its time
+    connect(&m_fabricsAwaited, &QTimer::timeout, m_fabricLink.get(), &FabricLink::begin);
     connect(m_startPage, &StartPage::toggled, this, &MainWindow::pageMoved);
     connect(m_docks->cover, &QDockWidget::topLevelChanged, this, &MainWindow::pageMoved);
     connect(m_docks->fabrics, &QDockWidget::visibilityChanged, m_fabricLink.get(), [this](bool seen) {
@@ -427,8 +448,8 @@ void MainWindow::pageMoved()
 {
     const bool covered = m_startPage->isOpen() && !m_docks->cover->isFloating();
     m_surface->setCovered(covered);
-    if (m_wasShown && !covered)
-        m_fabricLink->begin();
+    if (m_wasShown && !covered && !m_fabricLink->begun())
+        m_fabricsAwaited.start();
 }
 
 } // namespace bolster

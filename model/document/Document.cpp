@@ -65,6 +65,18 @@ void Document::commit(Edit edit)
     announceDirty();
 }
 
+void Document::commit(edits::Outcome outcome)
+{
+    if (outcome.edit.empty())
+        return;
+    cancelGesture();
+    const Design before = m_base;
+    const NodeId node = m_history.current();
+    commit(std::move(outcome.edit));
+    if (!outcome.dropped.empty() && m_history.current() != node)
+        emit dropped(before, outcome.dropped);
+}
+
 void Document::undo()
 {
     finishGesture();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "EditCheck.h"
+#include "EditOutcome.h"
 #include "HeldHistory.h"
 
 #include <QObject>
@@ -39,6 +40,8 @@ public:
     /// The edit takes along mirror twins and what lies on outlines. Does nothing with an empty edit. Cancels a
     /// running gesture first.
     void commit(Edit edit);
+    /// The same, and says what it takes away besides; does nothing with one that is refused.
+    void commit(edits::Outcome outcome);
     /// Asked before each edit; one that comes back with a reason is not made, see refused().
     void setRefusal(std::function<Message(const Edit&)> refusal) { m_refusal = std::move(refusal); }
     /// A running gesture is what undo and redo take back first, and nothing else.
@@ -95,6 +98,9 @@ signals:
     void refused(const bolster::Message& why);
     /// An edit was made, or came to nothing, with a note to its maker.
     void noted(const bolster::Message& note);
+    /// An edit was made that took these away because they make no sense any more: its maker has not asked for that.
+    /// `before` is the design that has them.
+    void dropped(const bolster::Design& before, const std::vector<bolster::ElementId>& ids);
 
 private:
     friend class Gesture;

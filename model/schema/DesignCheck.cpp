@@ -60,11 +60,11 @@ void warnOfFreePatches(const Design& design, Problems& problems)
         const ElementId id = patches.front();
         Message message{QT_TRANSLATE_NOOP("Message",
                                           "the patch is free in space: nothing fixes it to the frame; add a "
-                                          "fixation seam")};
+                                          "fixation")};
         if (patches.size() > 1)
             message = {QT_TRANSLATE_NOOP("Message",
                                          "this patch and the %1 sewn to it are free in space: nothing fixes "
-                                         "them to the frame; add a fixation seam"),
+                                         "them to the frame; add a fixation"),
                        {std::to_string(patches.size() - 1)}};
         problems.push_back({id, elementLabel(id, *design.element(id)), "", std::move(message), Severity::Warning});
     }

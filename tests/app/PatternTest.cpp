@@ -1,6 +1,7 @@
 // Editing patches by menu, clipboard and the split tool.
 #include "WindowTest.h"
 
+#include "ElementEdits.h"
 #include "ElidedLabel.h"
 #include "LayoutEdits.h"
 #include "StatusLine.h"
@@ -135,6 +136,44 @@ TEST_F(PatternTest, SplitsByDrawingAndMergesAgain)
     window.command("edit.undo")->trigger();
     window.command("edit.undo")->trigger();
     EXPECT_EQ(design(), before);
+}
+
+TEST_F(PatternTest, WhatAnEditTakesAwayBesidesIsSaidUntilTheNextOne)
+{
+    key(Qt::Key_K);
+    click(patternPixel(Vec2(-20, 200)));
+    click(patternPixel(Vec2(520, 200)));
+    key(Qt::Key_Return);
+    const ElementId piece = patchNamed("Top 2");
+    FixationSeam held;
+    design().each<Seam>([&](ElementId, const Seam& seam) {
+        if (seam.a.patch == piece && seam.b.patch == patchNamed("Top"))
+            held.stretch = seam.a;
+        if (seam.b.patch == piece && seam.a.patch == patchNamed("Top"))
+            held.stretch = seam.b;
+    });
+    ASSERT_EQ(held.stretch.patch, piece);
+    const Edit add = edits::addElement(design(), makeElement(held));
+    window.document().commit(add);
+    const Design before = design();
+    EXPECT_FALSE(window.banner().shown());
+
+    window.selection().set({patchNamed("Top"), piece});
+    window.command("shape.merge-patches")->trigger();
+    ASSERT_FALSE(design().element(add.changes.front().id));
+    ASSERT_TRUE(window.banner().shown());
+    EXPECT_TRUE(window.banner().text().startsWith("Removed")) << window.banner().text().toStdString();
+    const QList<QPushButton*> buttons = window.banner().findChildren<QPushButton*>();
+    ASSERT_EQ(buttons.size(), 1);
+    buttons.front()->click();
+    EXPECT_EQ(design(), before);
+    EXPECT_FALSE(window.banner().shown());
+
+    window.selection().set({patchNamed("Top"), piece});
+    window.command("shape.merge-patches")->trigger();
+    ASSERT_TRUE(window.banner().shown());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(window.banner().shown());
 }
 
 TEST_F(PatternTest, EscapeTakesBackTheCutThenTheTool)

@@ -141,7 +141,7 @@ TEST(Document, IgnoresWhatChangesNothing)
     Document document;
     document.commit(setFabric(document.design(), 1, "Leather"));
     Witness witness(document);
-    document.commit({});
+    document.commit(Edit());
     document.commit(setFabric(document.design(), 1, "Leather"));
     document.jumpTo(document.history().current());
     document.jumpTo(-1);

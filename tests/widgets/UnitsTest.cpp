@@ -50,6 +50,8 @@ TEST(Units, AreShownAsTheyAreChosen)
         EXPECT_EQ(lengthText(314.325), "31.43 cm");
         EXPECT_EQ(sizeText(250, 120), QStringLiteral("25 \u00d7 12 cm"));
         EXPECT_EQ(steadyLengthText(5), "0.50 cm");
+        EXPECT_EQ(longLengthText(4713), "4.71 m");
+        EXPECT_EQ(areaText(1.25e6), QStringLiteral("1.25 m\u00b2"));
     }
     {
         const StyledNumbers inches(inInches(16));
@@ -61,6 +63,8 @@ TEST(Units, AreShownAsTheyAreChosen)
         EXPECT_EQ(lengthText(25.3), QStringLiteral("1\u2033")) << "the nearest part";
         EXPECT_EQ(lengthText(0.4), QStringLiteral("0.016\u2033")) << "which says nothing of what is so thin";
         EXPECT_EQ(sizeText(254, 127), QStringLiteral("10 \u00d7 5\u2033"));
+        EXPECT_EQ(longLengthText(4713), "15.5 ft");
+        EXPECT_EQ(areaText(1.25e6), QStringLiteral("13.5 ft\u00b2"));
         EXPECT_EQ(sizesText({12.7, 0.4}, 1), QStringLiteral("0.5 \u00d7 0.016\u2033")) << "no two notations";
     }
     const StyledNumbers decimals(inInches(0));

@@ -15,6 +15,7 @@ namespace bolster {
 namespace {
 
 constexpr double millimetresPerInch = 25.4;
+constexpr double millimetresPerFoot = 12 * millimetresPerInch;
 
 } // namespace
 
@@ -153,6 +154,23 @@ QString lengthText(double millimetres, int decimals)
     if (NumberStyles::now().length != LengthUnit::Millimetres)
         return lengthFigure(millimetres, decimals) + lengthSuffix();
     return QCoreApplication::translate("Units", "%1 mm").arg(decimalText(millimetres, decimals, false));
+}
+
+QString longLengthText(double millimetres)
+{
+    if (NumberStyles::now().length == LengthUnit::Inches)
+        return QCoreApplication::translate("Units", "%1 ft")
+            .arg(decimalText(millimetres / millimetresPerFoot, 1, true));
+    return QCoreApplication::translate("Units", "%1 m").arg(decimalText(millimetres / 1000, 2, true));
+}
+
+QString areaText(double squareMillimetres, int decimals)
+{
+    if (NumberStyles::now().length == LengthUnit::Inches)
+        return QCoreApplication::translate("Units", "%1 ft\u00b2")
+            .arg(decimalText(squareMillimetres / (millimetresPerFoot * millimetresPerFoot), decimals - 1, true));
+    return QCoreApplication::translate("Units", "%1 m\u00b2")
+        .arg(decimalText(squareMillimetres / 1e6, decimals, true));
 }
 
 QString sizeText(double width, double height)

@@ -60,6 +60,10 @@ QString steadyLengthText(double millimetres, int decimals = 1);
 double nudgeLength(bool far);
 /// "12.5 mm", at most `decimals` behind the point and no trailing zeros.
 QString lengthText(double millimetres, int decimals = 1);
+/// Of what is metres long: "4.71 m", or "15.5 ft" with inches.
+QString longLengthText(double millimetres);
+/// "1.25 m2", or "13.5 ft2" with inches; as many decimals as square metres have.
+QString areaText(double squareMillimetres, int decimals = 2);
 /// "250 x 120 mm" with a proper multiplication sign.
 QString sizeText(double width, double height);
 /// The same of any number of sides.

@@ -30,7 +30,7 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
             ++count;
             area += patch.outline.empty() ? 0 : std::abs(patch.outline.signedArea());
         });
-        return tr("%1, %2 m\u00b2 in all").arg(count).arg(decimalText(area * 1e-6, 2, true));
+        return tr("%1, %2 in all").arg(count).arg(areaText(area));
     });
     form.addInfo(tr("Seams"), [this] {
         int count = 0;
@@ -39,7 +39,7 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
             ++count;
             length += stretchLength(m_document.design(), seam.a);
         });
-        return tr("%1, %2 m in all").arg(count).arg(decimalText(length * 1e-3, 2, true));
+        return tr("%1, %2 in all").arg(count).arg(longLengthText(length));
     });
     DesignCuttingSection::add(form, settings);
     form.addNote([] { return tr("Select something to see its properties."); });

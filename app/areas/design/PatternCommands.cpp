@@ -4,7 +4,6 @@
 #include "CopyPaste.h"
 #include "Document.h"
 #include "ElementEdits.h"
-#include "ElementText.h"
 #include "LayoutEdits.h"
 #include "PatchEdits.h"
 #include "PatchShapeEdits.h"
@@ -29,15 +28,6 @@ std::string clipboardText()
     if (!data)
         return {};
     return data->hasFormat(mimeType) ? data->data(mimeType).toStdString() : data->text().toStdString();
-}
-
-QString droppedText(const Design& before, const std::vector<ElementId>& dropped)
-{
-    QStringList names;
-    for (const ElementId id : dropped)
-        names += displayName(before, id);
-    return PatternCommands::tr("Removed, because they make no sense any more: %1")
-        .arg(names.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -207,10 +197,7 @@ bool PatternCommands::commit(const edits::Outcome& outcome)
             emit said(translated(outcome.problem));
         return false;
     }
-    const Design before = m_document.design();
-    m_document.commit(outcome.edit);
-    if (!outcome.dropped.empty())
-        emit said(droppedText(before, outcome.dropped));
+    m_document.commit(outcome);
     return true;
 }
 

@@ -2,7 +2,6 @@
 
 #include "Document.h"
 #include "DrawingKeys.h"
-#include "ElementText.h"
 #include "PatchSplit.h"
 #include "Selection.h"
 #include "Translated.h"
@@ -163,22 +162,14 @@ void PatternSplitTool::finish()
         m_context.report(translated(split.problem));
         return;
     }
-    const Design before = m_context.document().design();
     std::set<ElementId> pieces;
     for (const Change& change : split.edit.changes)
         if (change.after && std::holds_alternative<Patch>(*change.after))
             pieces.insert(change.id);
     m_points.clear();
     m_next.reset();
-    m_context.document().commit(split.edit);
+    m_context.document().commit(std::move(split));
     m_context.selection().set(std::move(pieces));
-    if (!split.dropped.empty()) {
-        QStringList names;
-        for (const ElementId id : split.dropped)
-            names += displayName(before, id);
-        m_context.report(
-            tr("Removed, because they make no sense any more: %1").arg(names.join(QStringLiteral(", "))));
-    }
     m_context.endTool();
 }
 

@@ -47,14 +47,19 @@ void CoverMeasures::refresh()
     update();
 }
 
+std::optional<CoverMeasures::Ends> CoverMeasures::endsOf(const Measurement& measured) const
+{
+    const std::optional<Vec3> from = m_shown.onCover({measured.from.patch, measured.from.position});
+    const std::optional<Vec3> to = m_shown.onCover({measured.to.patch, measured.to.position});
+    return from && to ? std::optional(Ends{*from, *to}) : std::nullopt;
+}
+
 void CoverMeasures::measure()
 {
     std::map<ElementId, double> lengths;
     m_document.design().each<Measurement>([&](ElementId id, const Measurement& measured) {
-        const auto from = m_shown.onCover({measured.from.patch, measured.from.position});
-        const auto to = m_shown.onCover({measured.to.patch, measured.to.position});
-        if (from && to)
-            lengths.emplace(id, (*to - *from).norm());
+        if (const std::optional<Ends> ends = endsOf(measured))
+            lengths.emplace(id, ends->length());
     });
     emit measured(lengths);
 }
@@ -64,12 +69,11 @@ std::vector<CoverMeasures::Seen> CoverMeasures::seen() const
     std::vector<Seen> found;
     const std::optional<SectionPlane>& section = m_shown.scene().section;
     m_document.design().each<Measurement>([&](ElementId id, const Measurement& measured) {
-        const auto from = m_shown.onCover({measured.from.patch, measured.from.position});
-        const auto to = m_shown.onCover({measured.to.patch, measured.to.position});
-        if (!from || !to || (section && !(section->keeps(*from) && section->keeps(*to))))
+        const std::optional<Ends> ends = endsOf(measured);
+        if (!ends || (section && !(section->keeps(ends->from) && section->keeps(ends->to))))
             return;
-        if (const std::optional<Vec2> a = m_camera.pixel(*from), b = m_camera.pixel(*to); a && b)
-            found.push_back({id, {a->x(), a->y(), b->x(), b->y()}, (*to - *from).norm()});
+        if (const std::optional<Vec2> a = m_camera.pixel(ends->from), b = m_camera.pixel(ends->to); a && b)
+            found.push_back({id, {a->x(), a->y(), b->x(), b->y()}, ends->length()});
     });
     return found;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "ElementId.h"
+#include "Geometry.h"
 
 #include <QLineF>
 #include <QWidget>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace bolster {
@@ -15,6 +17,7 @@ class Camera;
 class Document;
 class Selection;
 class ShownScene;
+struct Measurement;
 
 /// Lies above its parent without taking the pointer.
 class CoverMeasures : public QWidget {
@@ -40,6 +43,13 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    struct Ends {
+        Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+        double length() const { return (to - from).norm(); } ///< mm
+    };
+    /// On the cover; none if it is not there.
+    std::optional<Ends> endsOf(const Measurement& measured) const;
+
     struct Seen {
         ElementId id{};
         QLineF line;       ///< pixels

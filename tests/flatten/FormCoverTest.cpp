@@ -1,0 +1,66 @@
+// The cover of a form's pattern, with the form as the goal of its foam: how far it is from the form. Prints the figures.
+#include "ElementEdits.h"
+#include "Flatten.h"
+#include "FormPattern.h"
+#include "PointCloud.h"
+#include "RestingSolve.h"
+#include "TruthForms.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <memory>
+
+namespace bolster::test {
+namespace {
+
+/// Points on the form's triangles, 2 to 3 mm from each other.
+std::shared_ptr<PointCloud> pointsOn(const TriangleMesh& form)
+{
+    constexpr int parts = 4; // of an edge
+    auto cloud = std::make_shared<PointCloud>();
+    for (const auto& corners : form.triangles) {
+        const Vec3 &a = form.points[corners[0]], b = form.points[corners[1]] - a, c = form.points[corners[2]] - a;
+        for (int i = 0; i < parts; ++i)
+            for (int j = 0; i + j < parts; ++j)
+                cloud->points.emplace_back(a + (i + 1.0 / 3) / parts * b + (j + 1.0 / 3) / parts * c);
+    }
+    return cloud;
+}
+
+/// Ideal foam holds the cloth where the form is, and lets it slide along.
+void expectCoverOnForm(const TriangleMesh& mesh)
+{
+    const Form form = cutForm(mesh, {});
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    Scan foam;
+    foam.name = "Form";
+    foam.file = "form.ply";
+    const Edit added = edits::addElement(made.design, makeElement(foam));
+    SolveInput input(made.design.with(added), {});
+    input.files.clouds[added.changes.front().id] = pointsOn(mesh);
+    const SolveResult result = solveResting(input, {});
+    ASSERT_EQ(result.status, SolveResult::Status::Solved) << result.reason.english();
+    ASSERT_EQ(result.report.scans.size(), 1u);
+    const ScanFigures& found = result.report.scans.front().figures;
+    std::cout << found.rms << " mm rms, " << found.p95 << " mm within 95 %, over " << 100 * found.coverage
+              << " % of the cover; strain " << 100 * result.report.strain.rms << " % rms\n";
+    EXPECT_LT(found.rms, 1.0);
+    EXPECT_LT(found.p95, 3.0);
+    EXPECT_GT(found.coverage, 0.99) << "else what is far off does not count";
+    EXPECT_LT(result.report.strain.rms, 0.02) << "the pattern is the form's, it need not be stretched to it";
+    EXPECT_EQ(result.report.flippedTriangles, 0);
+}
+
+TEST(FormCover, OfTheArmchairsBodyLiesOnIt)
+{
+    expectCoverOnForm(armchairForm());
+}
+
+TEST(FormCover, OfTheCarSeatLiesOnIt)
+{
+    expectCoverOnForm(carSeatForm());
+}
+
+} // namespace
+} // namespace bolster::test
