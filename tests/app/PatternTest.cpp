@@ -146,6 +146,7 @@ TEST_F(PatternTest, WhatAnEditTakesAwayBesidesIsSaidUntilTheNextOne)
     key(Qt::Key_Return);
     const ElementId piece = patchNamed("Top 2");
     FixationSeam held;
+    held.orientation.directions = {Vec3(0, 0, 1)};
     design().each<Seam>([&](ElementId, const Seam& seam) {
         if (seam.a.patch == piece && seam.b.patch == patchNamed("Top"))
             held.stretch = seam.a;
@@ -156,10 +157,12 @@ TEST_F(PatternTest, WhatAnEditTakesAwayBesidesIsSaidUntilTheNextOne)
     const Edit add = edits::addElement(design(), makeElement(held));
     window.document().commit(add);
     const Design before = design();
+    ASSERT_TRUE(design().element(add.changes.front().id));
     EXPECT_FALSE(window.banner().shown());
 
     window.selection().set({patchNamed("Top"), piece});
     window.command("shape.merge-patches")->trigger();
+    EXPECT_EQ(patchCount(), 5);
     ASSERT_FALSE(design().element(add.changes.front().id));
     ASSERT_TRUE(window.banner().shown());
     EXPECT_TRUE(window.banner().text().startsWith("Removed")) << window.banner().text().toStdString();
