@@ -84,6 +84,7 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
             ++seen[part];
             EXPECT_NE(command.find("-fstack-protector-strong"), std::string::npos) << part;
             EXPECT_NE(command.find("-D_FORTIFY_SOURCE=2"), std::string::npos) << part;
+            EXPECT_NE(command.find("-D_GLIBCXX_ASSERTIONS"), std::string::npos) << part;
         }
     }
     EXPECT_EQ(seen.size(), 22u);
