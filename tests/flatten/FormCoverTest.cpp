@@ -1,4 +1,5 @@
-// The cover of a form's pattern, with the form as the goal of its foam: how far it is from the form. Prints the figures.
+// The cover of a form's pattern, with the form as the goal of its foam: how far it is from the form. Prints the
+// figures.
 #include "ElementEdits.h"
 #include "Flatten.h"
 #include "FormPattern.h"

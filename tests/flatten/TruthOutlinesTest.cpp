@@ -146,14 +146,12 @@ void expectReached(const Figures& figures)
 
 TEST(TruthOutlines, OfTheArmchairsBody)
 {
-    expectReached(figuresOf(armchairForm(),
-                            designIn(dataFolder() + "/truth/armchair-body.json")));
+    expectReached(figuresOf(armchairForm(), designIn(dataFolder() + "/truth/armchair-body.json")));
 }
 
 TEST(TruthOutlines, OfTheCarSeat)
 {
-    expectReached(figuresOf(carSeatForm(),
-                            designIn(dataFolder() + "/designs/car-seat-tied.json")));
+    expectReached(figuresOf(carSeatForm(), designIn(dataFolder() + "/designs/car-seat-tied.json")));
 }
 
 } // namespace
