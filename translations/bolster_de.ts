@@ -3082,6 +3082,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>Zwei Punkte des Schnitts oder des Bezugs zum Messen anklicken oder auf einen Umriss zeigen – Esc beendet das Werkzeug</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1 – ein Klick beginnt neu</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5923,6 +5927,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>%1 und alles, was es braucht, entfernen (%2 Elemente)</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 knickt dort zu scharf, oder die Form geht durch sich selbst: Daran wird nicht geschnitten</translation>
     </message>
 </context>
 <context>

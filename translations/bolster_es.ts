@@ -3082,6 +3082,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>Haga clic en dos puntos del patrón o de la funda para medir, o señale un contorno – Esc sale de la herramienta</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1 – un clic empieza de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5923,6 +5927,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>Quitar %1 y lo que lo necesita (%2 elementos)</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 se dobla allí demasiado, o la forma se atraviesa a sí misma: no se corta por ella</translation>
     </message>
 </context>
 <context>

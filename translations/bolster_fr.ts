@@ -3082,6 +3082,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>Cliquez deux points du patron ou de la housse pour mesurer, ou pointez un contour – Échap quitte l’outil</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1 – un clic recommence</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5923,6 +5927,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>Supprimer %1 et ce qui en dépend (%2 éléments)</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 y tourne trop brusquement, ou la forme se traverse elle-même&#x202f;: elle n’est pas découpée</translation>
     </message>
 </context>
 <context>

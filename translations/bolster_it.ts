@@ -3082,6 +3082,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>Fare clic su due punti del cartamodello o del rivestimento per misurare, o puntare un contorno – Esc chiude lo strumento</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1 – un clic ricomincia</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5923,6 +5927,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>Rimuovi %1 e ciò che ne ha bisogno (%2 elementi)</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 piega lì troppo bruscamente, o la forma attraversa sé stessa: non si taglia lungo di essa</translation>
     </message>
 </context>
 <context>

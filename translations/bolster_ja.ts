@@ -3078,6 +3078,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>型紙またはカバーの 2 点をクリックして測定するか、輪郭をポイント。Esc でツールを終了</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1。クリックで測り直し</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5919,6 +5923,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>%1 とそれに依存するもの (%2 要素) を削除</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 はそこで急に曲がりすぎるか、形状が自分自身と交差しています。これに沿っては切りません</translation>
     </message>
 </context>
 <context>

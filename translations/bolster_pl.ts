@@ -3086,6 +3086,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>Kliknij dwa punkty wykroju lub pokrowca, aby zmierzyć, albo wskaż obrys – Esc kończy</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1 – kliknięcie zaczyna od nowa</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5927,6 +5931,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>Usuń: %1 i to, co tego wymaga (elementy: %2)</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 zbyt ostro tam skręca albo forma przenika samą siebie: wzdłuż niej nie ma cięcia</translation>
     </message>
 </context>
 <context>

@@ -3078,6 +3078,10 @@
         <source>Click two points of the pattern or of the cover to measure, or point at an outline – Esc ends the tool</source>
         <translation>单击样板或面套上的两点进行测量，或指向轮廓——Esc 结束工具</translation>
     </message>
+    <message>
+        <source>%1 – a click begins anew</source>
+        <translation>%1——单击重新开始</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementForm</name>
@@ -5919,6 +5923,10 @@
     <message>
         <source>Remove %1 and what needs it (%2 elements)</source>
         <translation>移除 %1 及依赖它的内容（%2 个元素）</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
+        <translation>%1 在那里弯得太急，或形体穿过自身：不沿它裁开</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTreeWidget>
@@ -34,6 +35,7 @@ namespace bolster {
 namespace {
 
 constexpr double besidePattern = 100; // mm
+constexpr int mostLinesSaid = 6;      // that are seen at once
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -96,13 +98,18 @@ void FormPatternWindow::build()
     m_said = new QLabel(this);
     m_said->setWordWrap(true);
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_said->setMinimumHeight(3 * m_said->fontMetrics().lineSpacing());
     m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* said = new QScrollArea(this); // a form with many faults has many words
+    said->setWidget(m_said);
+    said->setWidgetResizable(true);
+    said->setFrameShape(QFrame::NoFrame);
+    said->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    said->setFixedHeight(mostLinesSaid * m_said->fontMetrics().lineSpacing());
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins({});
     column->addWidget(m_view, 1);
-    column->addWidget(m_said);
+    column->addWidget(said);
     auto* splitter = new QSplitter(this);
     splitter->addWidget(buildWishes());
     splitter->addWidget(right);
@@ -338,7 +345,11 @@ void FormPatternWindow::say()
     double most = 0, widest = 0;
     std::string where;
     int over = 0;
+    int whole = 0; // pieces that are not left out
     for (std::size_t p = 0; p < m_made->flat.size(); ++p) {
+        if (m_made->pattern.patches[p] == noElement)
+            continue;
+        ++whole;
         if (m_made->flat[p].strainRms > most) {
             most = m_made->flat[p].strainRms;
             where = m_made->form.pieces[p].name;
@@ -347,11 +358,13 @@ void FormPatternWindow::say()
     }
     for (const FormSeam& seam : m_made->pattern.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
-    lines << tr("%n pieces", nullptr, static_cast<int>(m_made->flat.size()));
+    lines << tr("%n pieces", nullptr, whole);
     if (!m_made->pattern.seams.empty())
         lines.back() += ", " + tr("%n seams, whose sides differ by %1 at most", nullptr,
                                   static_cast<int>(m_made->pattern.seams.size()))
                                    .arg(lengthText(widest, 2));
+    for (const Message& note : m_made->pattern.notes)
+        lines << translated(note);
     if (!where.empty())
         lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
     if (over > 0)
@@ -359,8 +372,6 @@ void FormPatternWindow::say()
                     "them in there.",
                     nullptr, over);
     for (const Message& note : m_made->form.notes)
-        lines << translated(note);
-    for (const Message& note : m_made->pattern.notes)
         lines << translated(note);
     m_said->setText(lines.join('\n'));
 }

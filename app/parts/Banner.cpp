@@ -45,6 +45,8 @@ Banner::Banner(QWidget* parent)
     layout->addLayout(m_buttons);
     layout->addWidget(m_close);
     m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText); // names may be in it
+    m_text->setMinimumWidth(1);           // they may be longer than the window is wide
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

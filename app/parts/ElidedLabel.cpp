@@ -25,6 +25,7 @@ void ElidedLabel::resizeEvent(QResizeEvent* event)
 
 void ElidedLabel::elide()
 {
+    setTextFormat(Qt::PlainText); // names may be in it, and it may be given one before it is polished
     const QString shown = fontMetrics().elidedText(m_full, Qt::ElideRight, width());
     setText(shown);
     setToolTip(shown == m_full ? QString() : m_full);

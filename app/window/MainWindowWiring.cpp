@@ -61,6 +61,7 @@
 #include <QLoggingCategory>
 
 #include <algorithm>
+#include <span>
 
 namespace bolster {
 
@@ -238,9 +239,15 @@ void MainWindow::connectDocument()
 /// As long as the design is as that edit left it: nobody sees at once that a handle is gone.
 void MainWindow::tellDropped(const Design& before, const std::vector<ElementId>& ids)
 {
+    constexpr std::size_t mostNamed = 5;
+    constexpr int longestName = 40; // letters
     QStringList names;
-    for (const ElementId id : ids)
-        names += displayName(before, id);
+    for (const ElementId id : std::span(ids).first(std::min(mostNamed, ids.size()))) {
+        const QString name = displayName(before, id);
+        names += name.size() > longestName ? name.left(longestName) + QStringLiteral("\u2026") : name;
+    }
+    if (ids.size() > mostNamed)
+        names += countedText(before, std::span(ids).subspan(mostNamed));
     m_toldDropped = m_banner->announce(
         Banner::Kind::Information,
         tr("Removed, because they make no sense any more: %1").arg(QLocale().createSeparatedList(names)),

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 namespace bolster {
 
@@ -50,8 +51,14 @@ Vec3 fromCgal(const Kernel::Point_3& p)
 struct PartsKept : Pmp::Corefinement::Default_visitor<CgalMesh> {
     CgalMesh::Property_map<Face, int> part;
     const CgalMesh* form = nullptr;
+    const std::stop_token* stop = nullptr;
     int divided = 0;
 
+    void triangulating_faces_step() const
+    {
+        if (stop->stop_requested())
+            throw std::runtime_error("stopped");
+    }
     void before_subface_creations(Face face, CgalMesh& mesh)
     {
         if (&mesh == form)
@@ -230,7 +237,7 @@ public:
         m_notes = notes;
     }
 
-    void cut(const FormLine& line, const std::vector<FormLine>& all)
+    void cut(const FormLine& line, const std::vector<FormLine>& all, const std::stop_token& stop)
     {
         double length = 0;
         for (std::size_t k = 1; k < line.points.size(); ++k)
@@ -254,7 +261,18 @@ public:
         PartsKept visitor;
         visitor.part = near.part;
         visitor.form = &near.mesh;
-        Pmp::corefine(near.mesh, strip, CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor));
+        visitor.stop = &stop;
+        try { // where one of them goes through itself; else it might come to no end
+            Pmp::corefine(
+                near.mesh, strip,
+                CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor).throw_on_self_intersection(
+                    true));
+        } catch (const Pmp::Corefinement::Self_intersection_exception&) {
+            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 bends too sharply there, or the form goes through "
+                                                            "itself: it is not cut along it"),
+                               {line.name}});
+            return;
+        }
         near.putBack(m_soup);
     }
 
@@ -532,7 +550,8 @@ bool isAmong(const FormLine& line, const std::vector<FormLine>& lines)
 }
 
 /// The draft's cutter, with those lines cut that need not be cut again. The others.
-std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std::vector<FormLine>& lines)
+std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std::vector<FormLine>& lines,
+                                const std::stop_token& stop)
 {
     const TriangleSoup& uncut = cutter.soup();
     const bool sameForm = draft.uncut.points == uncut.points && draft.uncut.triangles == uncut.triangles &&
@@ -548,7 +567,7 @@ std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std:
         std::vector<FormLine> cut;
         for (const FormLine& line : lines)
             if (line.points.size() > 1 && sameForm && isAmong(line, draft.lastLines)) {
-                cutter.cut(line, lines);
+                cutter.cut(line, lines, stop);
                 cut.push_back(line);
             }
         draft.cutLines = std::move(cut);
@@ -577,13 +596,15 @@ LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::
     if (!cutter.whole())
         return failed;
     try {
-        for (const FormLine& line : draft ? continued(cutter, *draft, lines) : lines) {
+        for (const FormLine& line : draft ? continued(cutter, *draft, lines, stop) : lines) {
             if (stop.stop_requested())
                 return {};
             if (line.points.size() > 1)
-                cutter.cut(line, lines);
+                cutter.cut(line, lines, stop);
         }
     } catch (const std::exception&) {
+        if (stop.stop_requested())
+            return {};
         failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it goes through itself there"),
                           {}};
         return failed;

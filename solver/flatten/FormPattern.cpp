@@ -194,7 +194,8 @@ private:
     void addPatch(std::size_t p)
     {
         m_result.patches.push_back(noElement);
-        if (m_flat[p].turnedShare > mostTurned) {
+        const auto finite = [](const Vec2& at) { return at.allFinite(); };
+        if (m_flat[p].turnedShare > mostTurned || !std::ranges::all_of(m_flat[p].at, finite)) {
             leaveOut(p);
             return;
         }

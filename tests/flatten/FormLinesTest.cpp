@@ -1,13 +1,19 @@
 // Forms that are cut along lines drawn on them.
 #include "DesignCheck.h"
+#include "DesignJson.h"
 #include "Flatten.h"
 #include "FormPattern.h"
+#include "MeshImport.h"
 #include "TestForms.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 
 namespace bolster::test {
 namespace {
@@ -241,6 +247,34 @@ TEST(FormLines, DraftsGoOnFromWhatStays)
         }
         for (std::size_t k = 0; k < heights.size(); ++k)
             EXPECT_NEAR(heights[k], wholeHeights[k], 0.3) << z;
+    }
+}
+
+/// Curves along the sharp edges of frames make cuts that go through themselves. CGAL came to no end with some of
+/// them, and crashed with others.
+TEST(FormLines, CurvesAlongSharpEdgesOfFramesAreLeftOut)
+{
+    const std::string folder = samplesFolder() + "/../templates/";
+    for (const auto& [design, frame] :
+         {std::pair("dining-chair", "dining-chair-board"), std::pair("dining-chair", "dining-chair-wood"),
+          std::pair("bench", "bench-foam"), std::pair("wing-chair", "wing-chair-body")}) {
+        std::ifstream file(folder + design + ".json");
+        std::stringstream text;
+        text << file.rdbuf();
+        const ReadDesign read = readDesign(text.str());
+        const ImportedMesh mesh = importMesh(QString::fromStdString(folder + frame + ".obj"));
+        ASSERT_TRUE(read.readable && mesh.mesh) << frame;
+        FormCuts cuts;
+        cuts.lines = linesOf(read.design);
+        ASSERT_FALSE(cuts.lines.empty());
+        const Form form = cutForm(*mesh.mesh, cuts);
+        const auto sharp = [](const Message& note) {
+            return note.key.find("bends too sharply") != std::string::npos;
+        };
+        EXPECT_TRUE(std::ranges::any_of(form.notes, sharp) || !form.problem.empty()) << frame;
+        if (form.problem.empty()) {
+            EXPECT_NO_THROW(formPattern(form, flatten(form, {}), {})) << frame;
+        }
     }
 }
 

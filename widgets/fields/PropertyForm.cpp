@@ -321,6 +321,7 @@ void PropertyForm::addInfo(const QString& label, const std::function<QString()>&
     auto* text = new QLabel(this);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text->setWordWrap(true);
+    text->setMinimumWidth(1); // a name without blanks may be longer than the window is wide
     addField(label, text, [text, read] { text->setText(read()); });
 }
 
@@ -328,6 +329,7 @@ void PropertyForm::addNote(const std::function<QString()>& read, const std::func
 {
     auto* text = new QLabel(this);
     text->setWordWrap(true);
+    text->setMinimumWidth(1);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     addField({}, text, [this, text, read, tone] {
         QPalette colors = palette();

@@ -205,10 +205,13 @@ void SeamsView::fitColumns()
     QHeaderView* header = m_table->header();
     const QFontMetrics metrics = m_table->fontMetrics();
     constexpr int besideText = 8, sign = 18; // pixels
-    const QString length = QStringLiteral("8888.8") + lengthSuffix();
+    const bool inches =
+        NumberStyles::now().length == LengthUnit::Inches; // which may have fractions, or more decimals
+    const QString length = (inches ? QStringLiteral("888 88/88") : QStringLiteral("8888.8")) + lengthSuffix();
+    const QString ease = (inches ? QStringLiteral("+8.888") : QStringLiteral("+88.8")) + lengthSuffix();
     const std::pair<SeamsModel::Column, QString> usual[] = {
         {SeamsModel::Label, QStringLiteral("W")},
-        {SeamsModel::Difference, QStringLiteral("+88.8") + lengthSuffix()},
+        {SeamsModel::Difference, ease},
         {SeamsModel::Ratio, QStringLiteral("+88.8 %")},
         {SeamsModel::Step, QStringLiteral("88")},
         {SeamsModel::ContinuityColumn, QStringLiteral("G1")},
@@ -235,8 +238,11 @@ void SeamsView::fitNames()
         if (const int column = header->logicalIndex(place); column != SeamsModel::Name)
             others += header->sectionSize(column);
     const int letter = m_table->fontMetrics().averageCharWidth();
-    header->resizeSection(SeamsModel::Name, std::clamp(m_table->viewport()->width() - others - 1,
-                                                       fewestLetters * letter, mostLetters * letter));
+    const int head = header->fontMetrics().horizontalAdvance(
+        m_model->headerData(SeamsModel::Name, Qt::Horizontal, Qt::DisplayRole).toString());
+    const int least = std::max(fewestLetters * letter, head + 8);
+    header->resizeSection(SeamsModel::Name, std::clamp(m_table->viewport()->width() - others - 1, least,
+                                                       std::max(least, mostLetters * letter)));
 }
 
 void SeamsView::updateHint()

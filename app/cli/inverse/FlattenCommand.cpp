@@ -202,6 +202,9 @@ int flattenForm(std::span<const std::string> words)
         printError("warning: " + note.english());
     if (!form.problem.empty()) {
         printError("error: " + surface.toStdString() + ": " + form.problem.english());
+        if (!arguments.has("--by") && !arguments.has("--along"))
+            printError(
+                "(--by angle:DEG cuts where it bends by more than DEG degrees, --along LINES where you say)");
         return badInput;
     }
     const std::vector<FlatPiece> flat = flatten(form, {order.fabric.poisson}, interrupt.token());

@@ -69,6 +69,15 @@ std::optional<PatchPoint> MeasureTool::inPatch(const Vec2& layout) const
     return PatchPoint{hit.patch, fromLayout(patch->patch(), layout)};
 }
 
+/// What Enter keeps of two points: nothing of what lies beside patches.
+std::optional<std::pair<PatchPoint, PatchPoint>> MeasureTool::kept() const
+{
+    if (!m_first || !m_second)
+        return std::nullopt;
+    const auto from = inPatch(*m_first), to = inPatch(*m_second);
+    return from && to ? std::optional(std::pair(*from, *to)) : std::nullopt;
+}
+
 bool MeasureTool::wants(int key) const
 {
     return isEnterKey(key) && m_second;
@@ -78,12 +87,12 @@ bool MeasureTool::keyPress(const QKeyEvent& event)
 {
     if (!isEnterKey(event.key()) || !m_second)
         return false;
-    const auto from = inPatch(*m_first), to = inPatch(*m_second);
-    if (!from || !to) {
+    const auto ends = kept();
+    if (!ends) {
         m_context.report(tr("Only a measurement between two points of patches can be kept."));
         return true;
     }
-    keepMeasure(m_context, *from, *to);
+    keepMeasure(m_context, ends->first, ends->second);
     m_first.reset();
     m_second.reset();
     m_context.refresh();
@@ -92,7 +101,7 @@ bool MeasureTool::keyPress(const QKeyEvent& event)
 
 ToolKeys MeasureTool::keys() const
 {
-    if (!m_second)
+    if (!kept())
         return {};
     return {{Qt::Key_Return, tr("&Keep the measurement")}};
 }
@@ -139,6 +148,8 @@ QString MeasureTool::prompt() const
     if (m_edge)
         return tr("This edge is %1 long \u2013 click for a point to measure from")
             .arg(lengthText(m_edge->length, 2));
+    if (m_second && !kept())
+        return tr("%1 \u2013 a click begins anew").arg(figures().join(QStringLiteral(", ")));
     if (m_second)
         return tr("%1 \u2013 Enter keeps the measurement, a click begins anew")
             .arg(figures().join(QStringLiteral(", ")));

@@ -38,6 +38,7 @@ private:
     std::optional<Vec2> end() const;
     QStringList figures() const;
     std::optional<PatchPoint> inPatch(const Vec2& layout) const;
+    std::optional<std::pair<PatchPoint, PatchPoint>> kept() const;
 
     std::optional<Vec2> m_first;
     std::optional<Vec2> m_second;

@@ -28,6 +28,7 @@ CoverMeasures::CoverMeasures(const Document& document, const Selection& selectio
     connect(&selection, &Selection::changed, this, &CoverMeasures::refresh);
     connect(&selection, &Selection::hoverChanged, this, &CoverMeasures::refresh);
     connect(&shown, &ShownScene::changed, this, &CoverMeasures::refresh);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, &CoverMeasures::refresh);
     connect(&document, &Document::changed, this, &CoverMeasures::measure);
     connect(&shown, &ShownScene::rested, this, &CoverMeasures::measure);
 }

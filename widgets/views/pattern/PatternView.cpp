@@ -106,6 +106,7 @@ void PatternView::resizeEvent(QResizeEvent* event)
 {
     m_margins.place();
     m_navigation.resize(event->oldSize());
+    m_crosshair.place();
 }
 
 void PatternView::changeEvent(QEvent* event)
