@@ -9527,6 +9527,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>Es wurde angehalten. Ändern Sie, wie sie geschnitten wird, oder wählen Sie die Form noch einmal, um sie abzuwickeln.</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

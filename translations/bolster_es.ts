@@ -9527,6 +9527,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>Se detuvo. Cambie cómo se corta o elija de nuevo la forma para aplanarla.</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Lo que resultó</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

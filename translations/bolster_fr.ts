@@ -9527,6 +9527,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>Arrêté. Changez la façon de couper ou choisissez à nouveau la forme pour la mettre à plat.</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Ce qui en est résulté</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9527,6 +9527,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>Interrotto. Cambia come viene tagliata o scegli di nuovo la forma per stenderla.</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Che cosa ne è venuto</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

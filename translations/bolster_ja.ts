@@ -9503,6 +9503,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>停止しました。切り方を変えるか形状を選び直すと、平らに展開します。</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>結果</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9551,6 +9551,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>Zatrzymano. Zmień sposób cięcia albo wybierz formę ponownie, aby ją rozłożyć.</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Co z tego wyszło</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9503,6 +9503,10 @@
         <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
         <translation>已停止。更改切分方式或重新选择形体，即可展平。</translation>
     </message>
+    <message>
+        <source>What came of it</source>
+        <translation>结果</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -103,6 +103,7 @@ void FormPatternWindow::build()
     said->setWidget(m_said);
     said->setWidgetResizable(true);
     said->setFrameShape(QFrame::NoFrame);
+    said->setAccessibleName(tr("What came of it"));
     said->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     said->setFixedHeight(mostLinesSaid * m_said->fontMetrics().lineSpacing());
     auto* right = new QWidget(this);
