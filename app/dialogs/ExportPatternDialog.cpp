@@ -306,6 +306,8 @@ void ExportPatternDialog::show(const Layout& layout)
         m_shown->setCurrentWidget(m_preview);
     }
     m_summary->setText(summary(layout));
+    m_summary->setMinimumHeight(
+        m_summary->heightForWidth(m_summary->width())); // letters of another font may be taller
     m_export->setEnabled(!layout.plan->tooMany() && !m_pattern->pieces.empty());
 }
 

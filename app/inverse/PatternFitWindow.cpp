@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -114,9 +115,12 @@ void PatternFitWindow::build()
     layout->addWidget(buildOutcome(), 1);
     layout->addStretch();
     layout->addWidget(buttons);
-    resize(460, 800);
+    const QRect screenArea = screen()->availableGeometry();
+    constexpr int titleBar = 40; // pixels, at most
+    resize(460, std::min(800, screenArea.height() - titleBar));
     if (const QWidget* window = parentWidget()) // over the cover's margin: pattern and cover are what one looks at
-        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+        move(window->geometry().right() - width() - 24,
+             std::min(window->geometry().top() + 80, screenArea.bottom() - height() - titleBar));
 }
 
 QWidget* PatternFitWindow::buildGoals()
