@@ -346,9 +346,10 @@ void FormPatternWindow::say()
     double most = 0, widest = 0;
     std::string where;
     int over = 0;
-    int whole = 0; // pieces that are not left out
-    for (std::size_t p = 0; p < m_made->flat.size(); ++p) {
-        if (m_made->pattern.patches[p] == noElement)
+    int whole = 0;                                                   // pieces that are not left out
+    const std::vector<ElementId>& patches = m_made->pattern.patches; // none of what was stopped
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        if (patches[p] == noElement)
             continue;
         ++whole;
         if (m_made->flat[p].strainRms > most) {

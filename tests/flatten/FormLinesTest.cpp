@@ -1,19 +1,17 @@
 // Forms that are cut along lines drawn on them.
 #include "DesignCheck.h"
-#include "DesignJson.h"
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "MeshImport.h"
 #include "TestForms.h"
 #include "TestPaths.h"
+#include "TruthForms.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 namespace bolster::test {
 namespace {
@@ -258,14 +256,10 @@ TEST(FormLines, CurvesAlongSharpEdgesOfFramesAreLeftOut)
     for (const auto& [design, frame] :
          {std::pair("dining-chair", "dining-chair-board"), std::pair("dining-chair", "dining-chair-wood"),
           std::pair("bench", "bench-foam"), std::pair("wing-chair", "wing-chair-body")}) {
-        std::ifstream file(folder + design + ".json");
-        std::stringstream text;
-        text << file.rdbuf();
-        const ReadDesign read = readDesign(text.str());
         const ImportedMesh mesh = importMesh(QString::fromStdString(folder + frame + ".obj"));
-        ASSERT_TRUE(read.readable && mesh.mesh) << frame;
+        ASSERT_TRUE(mesh.mesh) << frame;
         FormCuts cuts;
-        cuts.lines = linesOf(read.design);
+        cuts.lines = linesOf(designIn(folder + design + ".json"));
         ASSERT_FALSE(cuts.lines.empty());
         const Form form = cutForm(*mesh.mesh, cuts);
         const auto sharp = [](const Message& note) {

@@ -1,10 +1,13 @@
 #include "TruthForms.h"
 
+#include "DesignJson.h"
 #include "MeshImport.h"
 #include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +62,16 @@ TriangleMesh armchairForm()
 TriangleMesh carSeatForm()
 {
     return truth("car-seat-truth.ply", carSeatGroups);
+}
+
+Design designIn(const std::string& path)
+{
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    const ReadDesign read = readDesign(text.str());
+    EXPECT_TRUE(read.readable) << path;
+    return read.design;
 }
 
 } // namespace bolster::test

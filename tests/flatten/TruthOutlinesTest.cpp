@@ -1,6 +1,5 @@
 // The true surfaces of the armchair and the car seat, cut along their groups and laid flat: how far the outlines
 // are from the patterns that they were made of. Prints the figures.
-#include "DesignJson.h"
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "TestPaths.h"
@@ -9,23 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <numbers>
-#include <sstream>
 
 namespace bolster::test {
 namespace {
-
-Design designIn(const std::string& path)
-{
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    const ReadDesign read = readDesign(text.str());
-    EXPECT_TRUE(read.readable) << path;
-    return read.design;
-}
 
 std::vector<Vec2> samplesOf(const BSpline2& outline, int count)
 {
