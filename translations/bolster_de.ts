@@ -5932,6 +5932,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 knickt dort zu scharf, oder die Form geht durch sich selbst: Daran wird nicht geschnitten</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>Eine Version wurde gerettet</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9365,6 +9369,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>Es war %1 groß und wird %2: Prüfen Sie die Einheit.</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>Die Einheit ist geraten: Sehen Sie auf die Größe.</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>Die Achsen sind geraten: Sehen Sie auf das Bild.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9530,6 +9542,10 @@
     <message>
         <source>What came of it</source>
         <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
     </message>
 </context>
 <context>
@@ -10531,6 +10547,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>Malen Sie den Bereich in der 3D-Ansicht, oder nehmen Sie das Häkchen weg.</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren:</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10666,6 +10686,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1: was das bedeutet und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>Es ist alles in Ordnung.</translation>
     </message>
 </context>
 <context>
@@ -11688,6 +11716,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>Vorbereitung: Kräfte und Gleichungen …</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>&amp;Was bedeutet das?</translation>
     </message>
 </context>
 <context>

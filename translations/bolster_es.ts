@@ -5932,6 +5932,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 se dobla allí demasiado, o la forma se atraviesa a sí misma: no se corta por ella</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>Se recuperó una versión</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9365,6 +9369,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>Medía %1 y pasa a medir %2: revise la unidad.</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>La unidad es una suposición: mire el tamaño.</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>Los ejes son una suposición: mire la imagen.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9530,6 +9542,10 @@
     <message>
         <source>What came of it</source>
         <translation>Lo que resultó</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
     </message>
 </context>
 <context>
@@ -10531,6 +10547,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>Pinte la zona en la vista 3D o quite la marca.</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>Detenido. Con todos los cambios encontrados hasta entonces:</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10666,6 +10686,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1: qué significa y qué hacer</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>No hay ningún problema.</translation>
     </message>
 </context>
 <context>
@@ -11688,6 +11716,10 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>Preparando: fuerzas y ecuaciones…</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>¿&amp;Qué significa?</translation>
     </message>
 </context>
 <context>

@@ -5932,6 +5932,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 y tourne trop brusquement, ou la forme se traverse elle-même&#x202f;: elle n’est pas découpée</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>Une version a été récupérée</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9365,6 +9369,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>La taille était de %1 et devient %2&#x202f;: vérifiez l’unité.</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>L’unité est supposée&#x202f;: regardez la taille.</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>Les axes sont supposés&#x202f;: regardez l’image.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9530,6 +9542,10 @@
     <message>
         <source>What came of it</source>
         <translation>Ce qui en est résulté</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
     </message>
 </context>
 <context>
@@ -10531,6 +10547,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>Peignez la zone dans la vue 3D, ou décochez-la.</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>Arrêté. Avec toutes les modifications trouvées jusque-là&#x202f;:</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10666,6 +10686,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1 : ce que cela signifie et que faire</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>Aucun problème.</translation>
     </message>
 </context>
 <context>
@@ -11688,6 +11716,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>Préparation&#x202f;: forces et équations…</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>&amp;Qu’est-ce que cela signifie&#x202f;?</translation>
     </message>
 </context>
 <context>

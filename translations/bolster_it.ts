@@ -5932,6 +5932,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 piega lì troppo bruscamente, o la forma attraversa sé stessa: non si taglia lungo di essa</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>È stata recuperata una versione</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9365,6 +9369,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>Era di %1 e diventa di %2: controllare l’unità.</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>L’unità è supposta: guardi la dimensione.</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>Gli assi sono supposti: guardi l’immagine.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9530,6 +9542,10 @@
     <message>
         <source>What came of it</source>
         <translation>Che cosa ne è venuto</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Interrompi</translation>
     </message>
 </context>
 <context>
@@ -10531,6 +10547,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>Dipingi la zona nella vista 3D o togli la spunta.</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>Fermato. Con tutte le modifiche trovate fino a quel momento:</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10666,6 +10686,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1: che cosa significa e che cosa fare</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>Nessun problema.</translation>
     </message>
 </context>
 <context>
@@ -11688,6 +11716,10 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>Preparazione: forze ed equazioni…</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>&amp;Che cosa significa?</translation>
     </message>
 </context>
 <context>

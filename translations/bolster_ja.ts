@@ -5928,6 +5928,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 はそこで急に曲がりすぎるか、形状が自分自身と交差しています。これに沿っては切りません</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>1 個のバージョンを復旧しました</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9344,6 +9348,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>大きさが %1 から %2 になります。単位を確認してください。</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>単位は推測です。大きさを確認してください。</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>軸は推測です。画像を確認してください。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9506,6 +9518,10 @@
     <message>
         <source>What came of it</source>
         <translation>結果</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -10501,6 +10517,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>3D ビューで範囲を塗るか、チェックを外してください。</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>停止しました。それまでに見つかった変更をすべて適用した場合:</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10635,6 +10655,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1: 意味と対処方法</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>問題はありません。</translation>
     </message>
 </context>
 <context>
@@ -11655,6 +11683,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>準備中: 力と方程式…</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>これはどういう意味ですか(&amp;W)</translation>
     </message>
 </context>
 <context>

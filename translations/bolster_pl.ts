@@ -5936,6 +5936,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 zbyt ostro tam skręca albo forma przenika samą siebie: wzdłuż niej nie ma cięcia</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>Odzyskano jedną wersję</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9386,6 +9390,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>Miał rozmiar %1, a ma mieć %2: sprawdź jednostkę.</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>Jednostka jest odgadnięta: proszę sprawdzić rozmiar.</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>Osie są odgadnięte: proszę sprawdzić obraz.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9554,6 +9566,10 @@
     <message>
         <source>What came of it</source>
         <translation>Co z tego wyszło</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Za&amp;trzymaj</translation>
     </message>
 </context>
 <context>
@@ -10561,6 +10577,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>Pomaluj obszar w widoku 3D albo odznacz go.</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili:</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10697,6 +10717,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1: co to znaczy i co zrobić</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>Wszystko w porządku.</translation>
     </message>
 </context>
 <context>
@@ -11721,6 +11749,10 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>Przygotowanie: siły i równania…</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>&amp;Co to znaczy?</translation>
     </message>
 </context>
 <context>

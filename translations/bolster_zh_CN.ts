@@ -5928,6 +5928,10 @@
         <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
         <translation>%1 在那里弯得太急，或形体穿过自身：不沿它裁开</translation>
     </message>
+    <message>
+        <source>one version was saved</source>
+        <translation>已恢复一个版本</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9344,6 +9348,14 @@
         <source>It was %1 large and becomes %2: check the unit.</source>
         <translation>原来大小为 %1，现为 %2：请检查单位。</translation>
     </message>
+    <message>
+        <source>The unit is guessed: look at the size.</source>
+        <translation>单位是猜测的：请查看尺寸。</translation>
+    </message>
+    <message>
+        <source>The axes are guessed: look at the picture.</source>
+        <translation>坐标轴是猜测的：请查看图片。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -9506,6 +9518,10 @@
     <message>
         <source>What came of it</source>
         <translation>结果</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -10501,6 +10517,10 @@
         <source>Paint the area in the 3D view, or untick it.</source>
         <translation>请在三维视图中涂出区域，或取消勾选。</translation>
     </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then:</source>
+        <translation>已停止。采用到此为止找到的全部更改：</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10635,6 +10655,14 @@
     <message>
         <source>F1: what it means, and what to do</source>
         <translation>F1：含义及处理方法</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>没有问题。</translation>
     </message>
 </context>
 <context>
@@ -11655,6 +11683,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>Preparing: forces and equations …</source>
         <translation>正在准备：力和方程…</translation>
+    </message>
+    <message>
+        <source>&amp;What does it mean?</source>
+        <translation>这是什么意思(&amp;W)？</translation>
     </message>
 </context>
 <context>

@@ -75,23 +75,26 @@ void OutputFiles::protectInputs(const QString& designPath, const Design& design)
             throw UsageError(option + " would overwrite " + input->second);
 }
 
+std::string whyNotWritten(const QString& path)
+{
+    if (isDevice(path) && !QFileInfo(path).isDir())
+        return {}; // what is there takes what it takes
+    const QFileInfo file(resolved(path)), folder(file.absolutePath());
+    if (file.isDir())
+        return "is a folder";
+    if (!folder.isDir())
+        return "lies in a folder that is not there";
+    return folder.isWritable() ? "" : "cannot be written: you may not write into that folder";
+}
+
 bool OutputFiles::canBeWritten() const
 {
     bool all = true;
     for (const auto& [option, path] : m_paths) {
-        if (isDevice(path) && !QFileInfo(path).isDir())
-            continue; // what is there takes what it takes
-        const QFileInfo file(resolved(path)), folder(file.absolutePath());
-        const char* why = nullptr;
-        if (file.isDir())
-            why = "is a folder";
-        else if (!folder.isDir())
-            why = "lies in a folder that is not there";
-        else if (!folder.isWritable())
-            why = "cannot be written: you may not write into that folder";
-        if (why)
+        const std::string why = whyNotWritten(path);
+        if (!why.empty())
             printError("error: " + option + ": \"" + path.toStdString() + "\" " + why);
-        all = all && !why;
+        all = all && why.empty();
     }
     return all;
 }

@@ -2,6 +2,7 @@
 #include "FabricBaking.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "OutputFiles.h"
 #include "PictureSeries.h"
 #include "Project.h"
 #include "RenderOrder.h"
@@ -275,6 +276,11 @@ int render(std::span<const std::string> words)
         throw UsageError("--image would overwrite the design");
     if (const std::string problem = opened.readable ? orderProblem(order, opened.design) : ""; !problem.empty())
         throw UsageError(problem);
+    if (const std::string why = order.series ? "" : whyNotWritten(order.image); !why.empty()) {
+        printError("error: --image: \"" + order.image.toStdString() + "\" " +
+                   why); // before it is drawn for a minute
+        return otherFailure;
+    }
     if (order.series)
         return printErrors(opened.problems) ? badInput : renderSeries(order, opened, interrupt);
     return drawSolved(order, opened, interrupt, [](Pictures& pictures) { return pictures.drawAll(); });

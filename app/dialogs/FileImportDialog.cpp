@@ -240,6 +240,14 @@ void FileImportDialog::connectFields()
 {
     connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updateSize);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
+    connect(m_unit, &QComboBox::activated, this, [this] {
+        m_unitIsGuess = false;
+        sayGuesses();
+    });
+    connect(m_up, &QComboBox::activated, this, [this] {
+        m_axesAreGuess = false;
+        sayGuesses();
+    });
     connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
     connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updatePicture);
     connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updatePicture);
@@ -255,10 +263,22 @@ void FileImportDialog::choose(const QString& file, const FileFacts& said)
         said.millimetresPerUnit
             ? unitOf(*said.millimetresPerUnit)
             : unitOf(QFileInfo(file).suffix()).value_or(guessUnit(m_content.boundingBox(), largestSize()));
+    m_unitIsGuess = !said.millimetresPerUnit && !unitOf(QFileInfo(file).suffix());
+    m_axesAreGuess = !said.up;
     m_unit->setCurrentIndex(static_cast<int>(unit));
     if (unit == FileUnit::Custom)
         m_factor->display(said.millimetresPerUnit.value_or(guessFactor(m_content.boundingBox())));
     m_up->setCurrentIndex(static_cast<int>(said.up.value_or(guessUpAxis(QFileInfo(file).suffix()))));
+}
+
+/// What the user has chosen is no guess any more.
+void FileImportDialog::sayGuesses()
+{
+    if (m_unitIsGuess && m_axesAreGuess)
+        return;
+    m_said->setText(m_unitIsGuess    ? tr("The unit is guessed: look at the size.")
+                    : m_axesAreGuess ? tr("The axes are guessed: look at the picture.")
+                                     : QString());
 }
 
 QString FileImportDialog::saidText(const QString& file, const FileFacts& said) const

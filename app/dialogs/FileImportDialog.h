@@ -54,6 +54,7 @@ private:
     void layOut(const QString& file);
     void connectFields();
     void choose(const QString& file, const FileFacts& said);
+    void sayGuesses();
     QString saidText(const QString& file, const FileFacts& said) const;
     void updateSize();
     std::vector<bool> wantedParts() const;
@@ -74,7 +75,8 @@ private:
     SimplifyChoice* m_simplify = nullptr;
     std::optional<Placement> m_replaced;
     std::optional<double> m_saidUnit; ///< mm
-    double m_oldSize = 0;             ///< mm; 0: unknown
+    bool m_unitIsGuess = false, m_axesAreGuess = false;
+    double m_oldSize = 0; ///< mm; 0: unknown
     QCheckBox* m_keep;
     QComboBox* m_unit;
     NumberBox* m_factor;

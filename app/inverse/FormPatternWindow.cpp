@@ -20,6 +20,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -120,9 +121,21 @@ void FormPatternWindow::build()
     m_make = buttons->addButton(tr("&Make the pattern"), QDialogButtonBox::AcceptRole);
     m_make->setDefault(true);
     connect(m_make, &QPushButton::clicked, this, &FormPatternWindow::make);
+    m_stop = buttons->addButton(tr("&Stop"), QDialogButtonBox::ActionRole);
+    m_stop->setAutoDefault(false);
+    m_stop->hide();
+    connect(m_stop, &QPushButton::clicked, this, &FormPatternWindow::stop);
+    m_busy = new QProgressBar(this);
+    m_busy->setRange(0, 0);
+    m_busy->setAccessibleName(tr("Laying a form flat \u2026"));
+    QSizePolicy keeps = m_busy->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    m_busy->setSizePolicy(keeps);
+    m_busy->hide();
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter, 1);
+    layout->addWidget(m_busy);
     layout->addWidget(buttons);
     resize(760, 500);
     if (const QWidget* window = parentWidget()) // over the pattern: lines are drawn in the 3D view
@@ -138,6 +151,8 @@ QWidget* FormPatternWindow::buildWishes()
     connect(m_form, &QComboBox::activated, this, [this] {
         if (m_form->currentData().toString() == "file")
             chooseFile();
+        else if (m_ofFile)
+            tickLines(true);
         formChosen();
     });
     m_fabric = new QComboBox(wishes);
@@ -222,6 +237,14 @@ void FormPatternWindow::fillLines()
     });
 }
 
+void FormPatternWindow::tickLines(bool ticked)
+{
+    m_ofFile = !ticked;
+    const QSignalBlocker quiet(m_lines);
+    for (int row = 0; row < m_lines->topLevelItemCount(); ++row)
+        m_lines->topLevelItem(row)->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked);
+}
+
 void FormPatternWindow::chooseFile()
 {
     askForFile(this, tr("The form to be covered"), m_session.path(),
@@ -230,6 +253,7 @@ void FormPatternWindow::chooseFile()
                [this](const QString& file) {
                    m_file = file;
                    m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
+                   tickLines(false); // they lie on other forms
                    formChosen();
                });
 }
@@ -289,7 +313,7 @@ void FormPatternWindow::ask(bool draft)
     const bool file = m_form->currentData().toString() == "file";
     if (!m_mesh && (!file || m_file.isEmpty())) {
         m_job.cancel();
-        m_running.reset();
+        setRunning(false);
         m_said->setText(file ? tr("Choose the file of a form.") : tr("There is no form: import a frame first."));
         return;
     }
@@ -307,16 +331,26 @@ void FormPatternWindow::ask(bool draft)
     wanted.order.edgeLength = m_document.design().settings().edgeLength;
     if (!draft)
         m_said->setText(tr("Laying it flat \u2026"));
-    if (!draft && !m_running)
-        m_running = std::make_unique<RunningJob>(tr("Laying a form flat \u2026"), [this] { stop(); });
+    if (!draft)
+        setRunning(true);
     m_job.request(std::move(wanted), !draft);
+}
+
+void FormPatternWindow::setRunning(bool running)
+{
+    if (running == static_cast<bool>(m_running))
+        return;
+    m_running =
+        running ? std::make_unique<RunningJob>(tr("Laying a form flat \u2026"), [this] { stop(); }) : nullptr;
+    m_busy->setVisible(running);
+    m_stop->setVisible(running);
 }
 
 void FormPatternWindow::stop()
 {
     m_job.cancel();
     ++m_asked; // what is on its way comes too late
-    m_running.reset();
+    setRunning(false);
     m_said->setText(tr("It was stopped. Change how it is cut, or choose the form again, to lay it flat."));
 }
 
@@ -327,7 +361,7 @@ void FormPatternWindow::take(FormMade made)
         return;
     m_upToDate = newest;
     if (newest && !made.draft)
-        m_running.reset();
+        setRunning(false);
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, limitOf(fabric()));
     const bool whole = std::ranges::count(m_made->pattern.patches, noElement) == 0;

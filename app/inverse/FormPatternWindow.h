@@ -14,6 +14,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QTreeWidget;
 
@@ -48,7 +49,9 @@ private:
     void chooseFile();
     void formChosen();
     void ask(bool draft);
+    void setRunning(bool running);
     void stop();
+    void tickLines(bool ticked);
     void take(FormMade made);
     void say();
     void make();
@@ -68,13 +71,15 @@ private:
     QTreeWidget* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;
     QLabel* m_said = nullptr;
-    QPushButton* m_make = nullptr;
+    QPushButton *m_make = nullptr, *m_stop = nullptr;
+    QProgressBar* m_busy = nullptr;
     Design m_drawn; ///< of which the lines are
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const FormMade> m_made;
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
     bool m_upToDate = false;
+    bool m_ofFile = false;                 ///< the form; lines of the design are not ticked for it
     LatestJob<FormWanted, FormMade> m_job; ///< last: it uses the others
 };
 

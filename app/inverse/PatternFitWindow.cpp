@@ -199,7 +199,8 @@ QWidget* PatternFitWindow::buildFreedoms()
     m_seams = add(tr("Ends of seams"), tr("Where seams and fixations end on smooth edges"));
     m_ease = add(tr("Ease"), tr("Sides of seams may come to differ in length; that is then the ease wanted"));
     m_foam = add(tr("Fo&am"), tr("How thick cushions and foam are, by whole voxels"));
-    m_fixations = add(tr("F&ixations"), tr("Where fixation curves lie"));
+    m_fixations =
+        add(tr("F&ixations"), tr("Where fixation curves lie: on their frames, or in space where there is none"));
     m_pressure = add(tr("&Pressure"), tr("The pressure under each patch"));
     m_stretch = add(tr("Stretch"), tr("Stiffness of the fabrics, and how much they contract across a pull"));
     m_outlines->setChecked(true);
@@ -283,7 +284,7 @@ FitOrder PatternFitWindow::order() const
     };
     add(m_outlines, outlineFreedoms(design));
     add(m_foam, foamFreedoms(design));
-    add(m_fixations, fixationFreedoms(design));
+    add(m_fixations, fixationFreedoms(design, m_session.files()));
     add(m_pressure, pressureFreedoms(design));
     add(m_stretch, stretchFreedoms(design));
     add(m_seams, seamEndFreedoms(design));
@@ -349,7 +350,8 @@ void PatternFitWindow::find()
     m_start = m_document.committed();
     setRunning(true);
     m_said->setText(tr("Solving the cover \u2026"));
-    m_job.request({m_run->newRun(), {m_start, m_session.files()}, on, std::move(wanted)}, true);
+    m_reached = {m_run->newRun(), wanted.freedoms, !wanted.locks.ease, {}};
+    m_job.request({m_reached.number, {m_start, m_session.files()}, on, std::move(wanted)}, true);
 }
 
 void PatternFitWindow::stop()
@@ -357,7 +359,10 @@ void PatternFitWindow::stop()
     m_run->newRun();
     m_job.cancel();
     setRunning(false);
-    m_said->setText(tr("Stopped; nothing has changed."));
+    if (m_reached.result.values.size() > 0 && !m_reached.result.values.isZero())
+        show(std::move(m_reached), tr("Stopped. With all of the changes that were found until then:"));
+    else
+        m_said->setText(tr("Stopped; nothing has changed."));
 }
 
 void PatternFitWindow::setRunning(bool running)
@@ -370,6 +375,9 @@ void PatternFitWindow::setRunning(bool running)
 void PatternFitWindow::showProgress(double share, const FitRound& round)
 {
     m_run->setShare(share);
+    m_reached.result.values = round.values;
+    m_reached.result.before = round.before;
+    m_reached.result.after = round.figures;
     if (m_lies->isChecked())
         m_said->setText(tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2)));
     else if (m_strained->isChecked())
@@ -389,7 +397,13 @@ void PatternFitWindow::take(FitFound found)
                                                                    : tr("No change makes it better."));
         return;
     }
-    QStringList lines{tr("With all of the changes:")};
+    show(std::move(found), tr("With all of the changes:"));
+}
+
+void PatternFitWindow::show(FitFound found, const QString& lead)
+{
+    const FitResult& result = found.result;
+    QStringList lines{lead};
     if (m_lies->isChecked())
         lines << tr("From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
                      .arg(lengthText(result.before.distanceRms, 2), lengthText(result.after.distanceRms, 2),
@@ -510,6 +524,7 @@ void PatternFitWindow::documentChanged()
     if (!m_found && !m_run->running())
         return;
     if (m_run->running() && !(m_document.committed() == m_start)) {
+        m_reached = {};
         stop();
         m_said->setText(tr("The design has changed meanwhile: find the changes again."));
     } else if (m_found && !(m_document.committed() == m_start)) {

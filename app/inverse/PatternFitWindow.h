@@ -60,6 +60,7 @@ private:
     QString missingGoal(const FitGoals& goals) const;
     void showProgress(double share, const FitRound& round);
     void take(FitFound found);
+    void show(FitFound found, const QString& lead);
     void forget(const QString& why);
     void fillPatches();
     Design changedDesign() const;
@@ -94,7 +95,8 @@ private:
     QSlider* m_share = nullptr;
     QLabel *m_shareSaid = nullptr, *m_arrowsSaid = nullptr;
 
-    Design m_start; ///< of what is sought or was found
+    Design m_start;     ///< of what is sought or was found
+    FitFound m_reached; ///< the best of the present run, until it ends
     std::optional<FitFound> m_found;
     std::optional<Gesture> m_gesture;     ///< while changes are shown
     LatestJob<FitWanted, FitFound> m_job; ///< last: it uses the others

@@ -1,9 +1,13 @@
 #include "ProblemsView.h"
 
+#include "Document.h"
+#include "ElementText.h"
 #include "Icons.h"
 #include "ProblemSet.h"
 #include "Translated.h"
 #include "ViewColors.h"
+
+#include <QPainter>
 
 namespace bolster {
 
@@ -13,9 +17,10 @@ constexpr int keyRole = Qt::UserRole + 1;
 
 } // namespace
 
-ProblemsView::ProblemsView(const ProblemSet& problems, QWidget* parent)
+ProblemsView::ProblemsView(const ProblemSet& problems, const Document& document, QWidget* parent)
     : QListWidget(parent)
     , m_problems(problems)
+    , m_document(document)
 {
     setFrameShape(NoFrame);
     setWordWrap(true);
@@ -39,12 +44,32 @@ void ProblemsView::fill()
         for (const Problem& problem : m_problems.all()) {
             if (problem.severity != severity)
                 continue;
-            auto* item =
-                new QListWidgetItem(severity == Severity::Error ? error : warning, translated(problem), this);
+            auto* item = new QListWidgetItem(severity == Severity::Error ? error : warning, textOf(problem), this);
             item->setData(Qt::UserRole, number(problem.element));
             item->setData(keyRole, QString::fromStdString(problem.message.key));
             item->setToolTip(tr("F1: what it means, and what to do"));
         }
+}
+
+/// By the names that the other panels have; where there is no element, by the place in the file.
+QString ProblemsView::textOf(const Problem& problem) const
+{
+    const ElementPtr element = m_document.design().element(problem.element);
+    if (!element || problem.element == settingsId || std::holds_alternative<Quarantined>(*element))
+        return translated(problem);
+    return tr("%1: %2").arg(displayName(m_document.design(), problem.element), translated(problem.message));
+}
+
+/// An empty list might be one that waits.
+void ProblemsView::paintEvent(QPaintEvent* event)
+{
+    QListWidget::paintEvent(event);
+    if (count() > 0)
+        return;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+                     tr("Nothing is wrong."));
 }
 
 QString ProblemsView::currentKey() const

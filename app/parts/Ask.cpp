@@ -77,7 +77,9 @@ void tell(QWidget* window, QMessageBox::Icon icon, const QString& text, const QS
 void askForFile(QWidget* window, const QString& title, const QString& folder, const QString& filter,
                 const Answer& chosen)
 {
-    auto* dialog = new QFileDialog(window, title, folder, filter);
+    // Beside a file: its name is not what is looked for.
+    const QFileInfo start(folder);
+    auto* dialog = new QFileDialog(window, title, start.isFile() ? start.path() : folder, filter);
     dialog->setFileMode(QFileDialog::ExistingFile);
     QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen, Qt::QueuedConnection); // it closes first
     openDialog(dialog);

@@ -310,18 +310,35 @@ void StatusLine::showState()
 {
     m_dot->setColor(colorOf(mood()));
     m_solver->setFullText(stateText());
-    const bool atRest = !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting;
-    const bool finds = atRest && m_findingsKnown && !m_findings.empty();
-    const bool blames = !m_paused && m_status.state == SolverStatus::State::Failed && m_status.culprit != noElement;
     const auto count = static_cast<int>(m_findings.size());
-    m_show->setVisible(finds || blames);
+    m_show->setVisible(finds() || blames());
     m_unrest->setVisible(restless());
-    m_show->setText(finds && count > 1 ? tr("Show (%1)").arg(count) : tr("Show"));
-    m_show->setPopupMode(finds && count > 1 ? QToolButton::InstantPopup : QToolButton::DelayedPopup);
-    m_solver->setCursor(finds || blames ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    m_show->setText(finds() && count > 1 ? tr("Show (%1)").arg(count) : tr("Show"));
+    m_show->setPopupMode(finds() && count > 1 ? QToolButton::InstantPopup : QToolButton::MenuButtonPopup);
+    m_solver->setCursor(finds() || blames() ? Qt::PointingHandCursor : Qt::ArrowCursor);
     // Long sentences get room, but not that of the prompt.
     const int wanted = m_solver->fontMetrics().horizontalAdvance(m_solver->fullText()) + 8;
     m_solver->setMinimumWidth(std::min(wanted, 2 * width() / 5));
+}
+
+bool StatusLine::finds() const
+{
+    const bool atRest = !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting;
+    return atRest && m_findingsKnown && !m_findings.empty();
+}
+
+/// An element for a failure.
+bool StatusLine::blames() const
+{
+    return !m_paused && m_status.state == SolverStatus::State::Failed && m_status.culprit != noElement;
+}
+
+QString StatusLine::solverKey() const
+{
+    const bool failed = !m_paused && m_status.state == SolverStatus::State::Failed;
+    if (failed || restless())
+        return QString::fromStdString(m_status.reason.key);
+    return finds() ? QString::fromStdString(m_findings.front().text.key) : QString();
 }
 
 /// To what the line speaks of.
@@ -339,9 +356,13 @@ void StatusLine::fillMenu()
 {
     QMenu& menu = *m_show->menu();
     menu.clear();
-    for (const CoverFinding& finding : m_findings)
-        menu.addAction(translated(finding.text).replace(u'&', QStringLiteral("&&")), this,
-                       [this, finding] { emit findingWanted(finding); });
+    if (finds() && m_findings.size() > 1) {
+        for (const CoverFinding& finding : m_findings)
+            menu.addAction(translated(finding.text).replace(u'&', QStringLiteral("&&")), this,
+                           [this, finding] { emit findingWanted(finding); });
+        menu.addSeparator();
+    }
+    menu.addAction(tr("&What does it mean?"), this, [this] { emit meaningWanted(solverKey()); });
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event)

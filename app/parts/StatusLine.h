@@ -44,6 +44,8 @@ public:
     void setRendererNote(const QString& note);
 
     QString solverText() const;
+    /// Of the message that the state says: its key, by which the manual knows it; "" when it says none.
+    QString solverKey() const;
     enum class Mood {
         Idle,    ///< grey
         Busy,    ///< amber: not there yet
@@ -60,6 +62,8 @@ signals:
     void findingWanted(const bolster::CoverFinding& finding);
     /// Of a failure.
     void culpritWanted(bolster::ElementId element);
+    /// What the message with this key means.
+    void meaningWanted(const QString& key);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -73,6 +77,8 @@ private:
     QString stateText() const;
     QString preparing() const;
     bool restless() const;
+    bool finds() const;
+    bool blames() const;
     void goThere();
     void fillMenu();
 

@@ -37,8 +37,10 @@ Theme themeOf(const Preferences& preferences)
 
 QLocale localeOf(const Preferences& preferences)
 {
-    const QLocale system, wanted(preferences.language); // the default is the system's until another is set
-    return preferences.language.isEmpty() || wanted.language() == system.language() ? system : wanted;
+    static const QLocale system; // the default is the system's until another is set
+    const QLocale wanted(preferences.language);
+    const auto spoken = system.language() == QLocale::C ? QLocale::English : system.language();
+    return preferences.language.isEmpty() || wanted.language() == spoken ? system : wanted;
 }
 
 void applyStyles(const Preferences& preferences)

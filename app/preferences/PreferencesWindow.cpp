@@ -1,5 +1,6 @@
 #include "PreferencesWindow.h"
 
+#include "ApplyPreferences.h"
 #include "Ask.h"
 #include "ColumnScroll.h"
 #include "Icons.h"
@@ -73,11 +74,12 @@ PreferencesWindow::PreferencesWindow(PreferenceStore& store, const Ways& ways, Q
     setWindowTitle(tr("Preferences"));
     build(ways);
     connect(m_search, &QLineEdit::textChanged, this, &PreferencesWindow::showWanted);
-    connect(m_pages, &QListWidget::currentRowChanged, this, [this] {
-        const QSignalBlocker quiet(m_search);
-        m_search->clear(); // who goes to a page wants to see it
+    const auto goToPage = [this] { // who goes to a page wants to see it
+        m_search->clear();
         showWanted();
-    });
+    };
+    connect(m_pages, &QListWidget::currentRowChanged, this, goToPage);
+    connect(m_pages, &QListWidget::itemClicked, this, goToPage); // also to the one that was shown before
     connect(&m_store, &PreferenceStore::changed, this, &PreferencesWindow::showValues);
     connect(&MouseStyles::instance(), &MouseStyles::changed, this, &PreferencesWindow::showMouse);
     m_pages->setCurrentRow(0);
@@ -343,8 +345,7 @@ void PreferencesWindow::showValues()
     for (const Row& row : m_rows) {
         row.show();
         if (row.restart)
-            row.restart->setVisible(valueOf(m_store.now(), *row.setting) !=
-                                    valueOf(m_store.atStart(), *row.setting));
+            row.restart->setVisible(localeOf(m_store.now()) != localeOf(m_store.atStart()));
     }
 }
 
@@ -370,6 +371,8 @@ void PreferencesWindow::showWanted()
 {
     const QString words = m_search->text().trimmed();
     const bool searching = !words.isEmpty();
+    if (QListWidgetItem* item = m_pages->currentItem())
+        item->setSelected(!searching); // what is found may be on any
     bool any = false;
     for (const Section& section : m_sections) {
         bool shown = !searching && section.page == page();

@@ -73,10 +73,17 @@ QStringList filesOf(const QMimeData& data)
     return files;
 }
 
+/// Before there is a label: some are polished when they are laid out for the first time.
+QWidget* withPlainLabels(QWidget* parent)
+{
+    keepLabelsPlain(*qApp);
+    return parent;
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent)
+    : QMainWindow(withPlainLabels(parent))
     , m_preferences(std::make_unique<PreferenceStore>())
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
@@ -92,7 +99,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_elements(new ElementsView(document(), m_selection, m_problems))
     , m_history(new HistoryPanel(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
-    , m_problemList(new ProblemsView(m_problems))
+    , m_problemList(new ProblemsView(m_problems, document()))
     , m_seams(new SeamsView(document(), m_selection))
     , m_fabricPanel(new FabricPanel(document(), m_selection, *m_fabricLink, *m_commands))
     , m_spots(new SpotsPanel(*m_maps, *m_commands))
@@ -102,7 +109,6 @@ MainWindow::MainWindow(QWidget* parent)
     , m_files(new FileFlow(*m_session, this, m_banner))
     , m_drops(new DropFlow(*m_files, *m_fabricCommands, this))
 {
-    keepLabelsPlain(*qApp);
     setAcceptDrops(true);
     setStatusBar(m_status);
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());

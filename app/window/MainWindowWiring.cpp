@@ -130,11 +130,12 @@ void MainWindow::addCommands()
         addArea<PreferenceCommands>(commands, *m_preferences,
                                     PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface,
                                                               *m_fabricCommands, *this, [this] { restart(); }});
-    addArea<ManualCommands>(commands, *this, [this] {
+    auto& manual = addArea<ManualCommands>(commands, *this, [this] {
         const auto& chosen = m_selection.elements();
         const ElementPtr first = chosen.empty() ? nullptr : document().design().element(*chosen.begin());
         return first ? formOf(kindOf(*first)) : QString();
     });
+    connect(m_status, &StatusLine::meaningWanted, &manual, &ManualCommands::openMessage);
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
     addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files,
                         *m_startPage);

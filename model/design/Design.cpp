@@ -41,7 +41,7 @@ Edit Edit::inverse() const
 
 Design::Design()
     : m_settings(makeElement(Settings{}))
-    , m_elements(std::make_shared<const Elements>())
+    , m_elements(std::make_shared<Elements>())
 {}
 
 const Settings& Design::settings() const
@@ -71,26 +71,41 @@ ElementId Design::nextId() const
     return ElementId{free};
 }
 
-Design Design::with(const Edit& edit) const
+void Design::applySettings(const Change& change)
 {
-    Design design = *this;
+    const bool usable = change.after && std::holds_alternative<Settings>(*change.after);
+    m_settings = usable ? change.after : makeElement(Settings{});
+}
+
+void Design::apply(const Change& change, Elements& elements)
+{
+    if (change.after)
+        elements[change.id] = change.after;
+    else
+        elements.erase(change.id);
+}
+
+Design Design::with(const Edit& edit) const&
+{
+    return Design(*this).with(edit);
+}
+
+Design Design::with(const Edit& edit) &&
+{
     std::shared_ptr<Elements> elements;
     for (const Change& change : edit.changes) {
         if (change.id == settingsId) {
-            const bool usable = change.after && std::holds_alternative<Settings>(*change.after);
-            design.m_settings = usable ? change.after : makeElement(Settings{});
+            applySettings(change);
             continue;
         }
         if (!elements)
-            elements = std::make_shared<Elements>(*m_elements);
-        if (change.after)
-            (*elements)[change.id] = change.after;
-        else
-            elements->erase(change.id);
+            elements = m_elements.use_count() == 1 ? std::const_pointer_cast<Elements>(m_elements)
+                                                   : std::make_shared<Elements>(*m_elements);
+        apply(change, *elements);
     }
     if (elements)
-        design.m_elements = std::move(elements);
-    return design;
+        m_elements = std::move(elements);
+    return std::move(*this);
 }
 
 bool operator==(const Design& a, const Design& b)

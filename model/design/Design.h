@@ -48,14 +48,19 @@ public:
     /// A free id, larger than all others.
     ElementId nextId() const;
     /// The design after the edit. `before` is not looked at.
-    Design with(const Edit& edit) const;
+    Design with(const Edit& edit) const&;
+    /// The same without a copy of the elements' table if nobody else has it: for edits made step by step.
+    Design with(const Edit& edit) &&;
 
     /// Same content; shared elements are not compared twice.
     friend bool operator==(const Design& a, const Design& b);
 
 private:
+    static void apply(const Change& change, Elements& elements);
+    void applySettings(const Change& change);
+
     ElementPtr m_settings;
-    std::shared_ptr<const Elements> m_elements;
+    std::shared_ptr<const Elements> m_elements; // made as one that can be changed
 };
 
 /// The ids in which two designs differ, settings included. Elements are compared by pointer, then by value.

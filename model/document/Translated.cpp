@@ -57,10 +57,41 @@ std::string localized(const std::string& arg)
         return QCoreApplication::translate("ElementText", qUtf8Printable(QStringLiteral("%1") + parts.captured(2)))
             .arg(parts.captured(1))
             .toStdString();
-    return arg;
+    return isolated(text).toStdString();
+}
+
+bool mayTurn(QChar c)
+{
+    switch (c.direction()) {
+    case QChar::DirR:
+    case QChar::DirAL:
+    case QChar::DirAN:
+    case QChar::DirLRE:
+    case QChar::DirLRO:
+    case QChar::DirRLE:
+    case QChar::DirRLO:
+    case QChar::DirPDF:
+    case QChar::DirLRI:
+    case QChar::DirRLI:
+    case QChar::DirFSI:
+    case QChar::DirPDI:
+        return true;
+    default:
+        return false;
+    }
 }
 
 } // namespace
+
+QString isolated(const QString& text)
+{
+    static constexpr QChar firstStrong(0x2068), pop(0x2069);
+    if (!std::ranges::any_of(text, mayTurn))
+        return text;
+    QString kept = text; // isolates of its own might begin without an end, or end without a beginning
+    kept.removeIf([](QChar c) { return c >= QChar(0x2066) && c <= pop; });
+    return firstStrong + kept + pop;
+}
 
 QString translated(const Message& message)
 {

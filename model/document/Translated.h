@@ -10,6 +10,10 @@ namespace bolster {
 /// The translation that is installed in the application, or English; numbers in the arguments stay as they are.
 QString translated(const Message& message);
 
+/// A text that stands in a sentence: one that is written from right to left, or holds marks that turn the
+/// direction, does not turn the words around it.
+QString isolated(const QString& text);
+
 /// How sentences tell numbers: windows may show lengths in another unit, and decimals with another sign than the
 /// language's. Null: as they are.
 struct NumbersTold {

@@ -26,9 +26,9 @@ public:
     {
         set(id, makeElement(std::move(value)));
     }
-    void set(ElementId id, ElementPtr element) { m_now = m_now.with({{}, {{id, nullptr, std::move(element)}}}); }
+    void set(ElementId id, ElementPtr element) { apply({{}, {{id, nullptr, std::move(element)}}}); }
     void remove(ElementId id) { set(id, nullptr); }
-    void apply(const Edit& edit) { m_now = m_now.with(edit); }
+    void apply(const Edit& edit) { m_now = std::move(m_now).with(edit); }
 
     /// From the start to what it has become; empty when nothing has changed.
     Edit result(Message verb) const
@@ -50,26 +50,47 @@ inline Message patchesVerb(const Design& design, std::span<const ElementId> ids,
     return {many, {std::to_string(ids.size())}};
 }
 
-/// "Seat", or "Seat 2" ... when an element of the kind has that name, another one than `own`.
+/// The names of the elements of a kind, all but that of `own`. Each one given is taken from then on.
+template <class T>
+class Names {
+public:
+    explicit Names(const Design& design, ElementId own = noElement)
+    {
+        design.each<T>([&](ElementId id, const T& value) {
+            if (id != own)
+                m_taken.insert(value.name);
+        });
+    }
+
+    /// "Seat", or "Seat 2" ... when it is taken.
+    std::string free(const std::string& wanted)
+    {
+        if (m_taken.insert(wanted).second)
+            return wanted;
+        const std::string stem = withoutNumber(wanted);
+        for (int& count = m_counts.try_emplace(stem, 2).first->second;; ++count)
+            if (std::string name = stem + " " + std::to_string(count); m_taken.insert(name).second)
+                return name;
+    }
+
+private:
+    /// "Seat 2" is followed by "Seat 3", not by "Seat 2 2".
+    static std::string withoutNumber(const std::string& name)
+    {
+        const std::size_t space = name.find_last_of(' ');
+        const bool numbered = space != std::string::npos && space + 1 < name.size() && name.size() - space < 8 &&
+                              name.find_first_not_of("0123456789", space + 1) == std::string::npos;
+        return numbered ? name.substr(0, space) : name;
+    }
+
+    std::set<std::string> m_taken;
+    std::map<std::string, int> m_counts; // by stem: all before it are taken
+};
+
 template <class T>
 std::string freeName(const Design& design, const std::string& wanted, ElementId own = noElement)
 {
-    std::set<std::string> taken;
-    design.each<T>([&](ElementId id, const T& value) {
-        if (id != own)
-            taken.insert(value.name);
-    });
-    if (!taken.contains(wanted))
-        return wanted;
-    // "Seat 2" is followed by "Seat 3", not by "Seat 2 2".
-    std::string stem = wanted;
-    const std::size_t space = wanted.find_last_of(' ');
-    if (space != std::string::npos && space + 1 < wanted.size() && wanted.size() - space < 8 &&
-        wanted.find_first_not_of("0123456789", space + 1) == std::string::npos)
-        stem.erase(space);
-    for (int count = 2;; ++count)
-        if (const std::string name = stem + " " + std::to_string(count); !taken.contains(name))
-            return name;
+    return Names<T>(design, own).free(wanted);
 }
 
 } // namespace bolster::edits

@@ -15,7 +15,7 @@ inline std::string displayName(const Design& design, ElementId id)
     if (!element)
         return {};
     const std::string& name = elementName(*element);
-    return name.empty() ? elementLabel(id, *element) : name;
+    return name.empty() ? elementLabel(id, *element) : shortened(name);
 }
 
 /// Replaces an element by a changed copy; empty when nothing changed.

@@ -233,9 +233,6 @@ std::string elementLabel(ElementId id, const Element& element)
     return elementLabel(readable ? kindName(element) : "", id, elementName(element));
 }
 
-namespace {
-
-/// What a person can still read in a message.
 std::string shortened(std::string_view name)
 {
     constexpr std::size_t longest = 80; // bytes
@@ -246,8 +243,6 @@ std::string shortened(std::string_view name)
         --end;
     return std::string(name.substr(0, end)) + "\u2026";
 }
-
-} // namespace
 
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name)
 {

@@ -84,5 +84,7 @@ ElementPtr withPlacement(const Element& element, const Placement& placement);
 /// "patch 2 \"Seat\"", as problems name it.
 std::string elementLabel(ElementId id, const Element& element);
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name);
+/// What a person can still read in a sentence: 80 bytes of UTF-8 at most, and "\u2026".
+std::string shortened(std::string_view name);
 
 } // namespace bolster

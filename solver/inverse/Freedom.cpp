@@ -2,6 +2,7 @@
 
 #include "EditBuilder.h"
 #include "FollowEdits.h"
+#include "FrameSlide.h"
 #include "MeetingCurves.h"
 #include "NumberField.h"
 #include "SeamEnds.h"
@@ -158,6 +159,12 @@ public:
         case CurvePlace:
             m_shifts.emplace(freedom.element, Vec3::Zero()).first->second[freedom.axis] += value;
             break;
+        case CurveSlide: {
+            Slide& slide = m_slides[freedom.element];
+            slide.onFrame = freedom.onFrame;
+            slide.ways[static_cast<std::size_t>(freedom.axis)] += value;
+            break;
+        }
         case Number:
             m_numbers[{freedom.element, freedom.field}] += value;
             break;
@@ -186,6 +193,14 @@ public:
             curve.curve = curve.curve.withPoints(std::move(points));
             set(id, makeElement(std::move(curve)));
         }
+        for (const auto& [id, slide] : m_slides) {
+            const auto* found = moved.find<FixationCurve>(id);
+            if (!found)
+                continue;
+            FixationCurve curve = *found;
+            curve.curve = curve.curve.withPoints(slide.onFrame->places(slide.ways[0], slide.ways[1]));
+            set(id, makeElement(std::move(curve)));
+        }
         for (const auto& [place, value] : m_numbers) {
             const ElementPtr element = moved.element(place.first);
             if (!element)
@@ -196,7 +211,7 @@ public:
         }
         moved = withSeamEnds(moved, m_ends);
         moved = m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
-        return m_shifts.empty() ? moved : withMeetingCurves(m_design, moved);
+        return m_shifts.empty() && m_slides.empty() ? moved : withMeetingCurves(m_design, moved);
     }
 
 private:
@@ -208,7 +223,13 @@ private:
 
     const Design& m_design;
     std::map<ElementId, std::vector<Vec2>> m_outlines;
+    struct Slide {
+        std::shared_ptr<const FrameSlide> onFrame;
+        std::array<double, 2> ways{};
+    };
+
     std::map<ElementId, Vec3> m_shifts;
+    std::map<ElementId, Slide> m_slides;
     std::vector<MovedSeamEnd> m_ends;
     std::map<std::pair<ElementId, std::string>, double> m_numbers;
 };
@@ -285,19 +306,63 @@ std::vector<Freedom> foamFreedoms(const Design& design)
     return freedoms;
 }
 
-std::vector<Freedom> fixationFreedoms(const Design& design)
+namespace {
+
+/// Calls visit(id, curve) for those that hold something and don't follow a twin.
+template <class Visit>
+void eachFreeCurve(const Design& design, Visit visit)
 {
     std::set<ElementId> used;
     design.each<FixationSeam>([&](ElementId, const FixationSeam& fixation) { used.insert(fixation.curve); });
-    std::vector<Freedom> freedoms;
     design.each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
-        if (!used.contains(id) || follows(design, curve))
-            return;
-        for (int axis = 0; axis < 3; ++axis)
-            freedoms.push_back({.kind = Freedom::Kind::CurvePlace,
-                                .element = id,
-                                .axis = axis,
-                                .name = curve.name + ", " + axisNames[axis]});
+        if (used.contains(id) && !follows(design, curve))
+            visit(id, curve);
+    });
+}
+
+void addShifts(ElementId id, const FixationCurve& curve, std::vector<Freedom>& freedoms)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        freedoms.push_back({.kind = Freedom::Kind::CurvePlace,
+                            .element = id,
+                            .axis = axis,
+                            .name = curve.name + ", " + axisNames[axis]});
+}
+
+void addSlides(ElementId id, const FixationCurve& curve, const std::shared_ptr<const FrameSlide>& slide,
+               std::vector<Freedom>& freedoms)
+{
+    const int ways = curve.curve.closed() ? 1 : 2;
+    for (int way = 0; way < ways; ++way)
+        freedoms.push_back({.kind = Freedom::Kind::CurveSlide,
+                            .element = id,
+                            .axis = way,
+                            .name = curve.name + (way == 0 ? ", sideways on the frame" : ", turned on the frame"),
+                            .onFrame = slide});
+}
+
+} // namespace
+
+std::vector<Freedom> fixationFreedoms(const Design& design)
+{
+    std::vector<Freedom> freedoms;
+    eachFreeCurve(design, [&](ElementId id, const FixationCurve& curve) { addShifts(id, curve, freedoms); });
+    return freedoms;
+}
+
+std::vector<Freedom> fixationFreedoms(const Design& design, const DesignFiles& files)
+{
+    std::vector<std::shared_ptr<const FrameSurface>> frames;
+    design.each<Frame>([&](ElementId id, const Frame& frame) {
+        if (const auto mesh = files.meshes.find(id); mesh != files.meshes.end() && mesh->second)
+            frames.push_back(std::make_shared<FrameSurface>(frame, *mesh->second));
+    });
+    std::vector<Freedom> freedoms;
+    eachFreeCurve(design, [&](ElementId id, const FixationCurve& curve) {
+        for (const auto& frame : frames)
+            if (const auto slide = curve.curve.empty() ? nullptr : FrameSlide::of(curve.curve, frame))
+                return addSlides(id, curve, slide, freedoms);
+        addShifts(id, curve, freedoms);
     });
     return freedoms;
 }

@@ -2,15 +2,19 @@
 #pragma once
 
 #include "Design.h"
+#include "DesignFiles.h"
 #include "Field.h"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace bolster {
+
+class FrameSlide;
 
 /// One number, 0 in the design as it is.
 struct Freedom {
@@ -19,6 +23,8 @@ struct Freedom {
         Offset, ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
         Size,   ///< patch `element` about its middle, %
         CurvePlace, ///< fixation curve `element` along `axis`, mm; where others meet it, half as far
+        CurveSlide, ///< fixation curve `element` along its frame (`onFrame`), mm: sideways (`axis` 0), or turned
+                    ///< (1)
         SeamEnd, ///< where stretches that are sewn or fixed end on patch `element`, at `from`, along its outline,
                  ///< mm
         Slip,    ///< material of patch `element` from `from` to `to` along its outline, mm (SlippedOutline)
@@ -35,6 +41,7 @@ struct Freedom {
     std::string name = {};                   ///< for people
     double step = 1;                         ///< by which differences are taken: what is about 1 mm at the cover
     double least = -noLimit, most = noLimit; ///< that it may be, in its own unit
+    std::shared_ptr<const FrameSlide> onFrame = {};
 };
 
 /// The design with all of that changed, and what goes with it (twins, what lies on outlines).
@@ -47,6 +54,8 @@ std::vector<Freedom> outlineFreedoms(const Design& design, std::span<const Eleme
 std::vector<Freedom> foamFreedoms(const Design& design);
 /// Of fixation curves that are in use, but for those of twins that follow.
 std::vector<Freedom> fixationFreedoms(const Design& design);
+/// The same, but curves that lie on a frame stay on it: sideways, and turned if they are open.
+std::vector<Freedom> fixationFreedoms(const Design& design, const DesignFiles& files);
 std::vector<Freedom> pressureFreedoms(const Design& design);
 /// Stiffness of fabrics that are in use against the others, and how much they contract across a pull.
 std::vector<Freedom> stretchFreedoms(const Design& design);

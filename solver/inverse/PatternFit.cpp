@@ -208,7 +208,8 @@ private:
             return fail(team.problem());
         double damping = 1e-3;
         for (int round = 0; round < m_order.mostRounds; ++round) {
-            if (m_stop.stop_requested())
+            // It may be where the last try has left it.
+            if (m_stop.stop_requested() || !team.first().follow(m_result.design, m_stop))
                 return false;
             report(team.first(), edge, static_cast<double>(round) / m_order.mostRounds);
             const Outcome outcome = step(team, damping, round);
@@ -249,9 +250,8 @@ private:
 
     void report(const WarmCover& cover, double edge, double share)
     {
-        FitRound round{edge, m_rows.figures(cover, m_result.design),
-                       largestChange(m_order.freedoms, m_result.values)};
-        m_result.rounds.push_back(round);
+        m_result.rounds.push_back({edge, m_rows.figures(cover, m_result.design), m_result.before,
+                                   largestChange(m_order.freedoms, m_result.values), m_result.values});
         tell(share);
     }
 

@@ -21,11 +21,13 @@ struct FitOrder {
     int threads = 0;        ///< 0: as many as the machine has
 };
 
-/// A step that was taken: for progress and reports.
+/// What was reached: for progress, for reports, and for who stops and keeps it.
 struct FitRound {
     double edgeLength = 0; ///< of the triangles, mm
     FitFigures figures;
+    FitFigures before;        ///< of the design as it was, on the same triangles
     double largestChange = 0; ///< mm, since the beginning
+    Eigen::VectorXd values;   ///< of the freedoms
 };
 
 struct FitResult {

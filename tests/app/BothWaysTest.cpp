@@ -23,6 +23,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -97,6 +98,41 @@ protected:
         FAIL() << "no button " << text.toStdString();
     }
 
+    /// A box cushion with pieces that are too large, beside a scan of one that is right.
+    void openLargeCushion()
+    {
+        const QString path = sample("box-cushion");
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const Design right = readDesign(file.readAll().toStdString()).design;
+        const SolveResult solved = solveResting(right, {});
+        ASSERT_TRUE(solved.surface);
+        ASSERT_TRUE(exportPly(*solved.surface, right, folder.filePath("built.ply")).empty());
+        Design bent = right;
+        std::vector<ElementId> patches;
+        right.each<Patch>([&](ElementId id, const Patch& patch) {
+            if (patch.twin)
+                return;
+            Patch wider = patch;
+            std::vector<Vec2> points = patch.outline.points();
+            const Vec2 middle = patch.outline.boundingBox().center();
+            for (Vec2& point : points)
+                point = middle + 1.03 * (point - middle);
+            wider.outline = wider.outline.withPoints(points);
+            bent = bent.with({{}, {{id, bent.element(id), makeElement(wider)}}});
+            patches.push_back(id);
+        });
+        Scan scan;
+        scan.name = "Built";
+        scan.file = "built.ply";
+        scan.enabled = false;
+        bent = bent.with({{}, {{bent.nextId(), nullptr, makeElement(scan)}}});
+        writeText(folder.filePath("cushion.json"), writeDesign(bent));
+        ASSERT_TRUE(open(folder.filePath("cushion.json")));
+        ASSERT_TRUE(waitUntilAtRest());
+        waitForBackground();
+    }
+
     Designer designer{window};
     QTemporaryDir folder;
 };
@@ -149,36 +185,7 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
 /// The sample's cover as it should be is the scan; one of its patches is too large.
 TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
 {
-    const QString path = sample("box-cushion");
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const Design right = readDesign(file.readAll().toStdString()).design;
-    const SolveResult solved = solveResting(right, {});
-    ASSERT_TRUE(solved.surface);
-    ASSERT_TRUE(exportPly(*solved.surface, right, folder.filePath("built.ply")).empty());
-    Design bent = right;
-    std::vector<ElementId> patches;
-    right.each<Patch>([&](ElementId id, const Patch& patch) {
-        if (patch.twin)
-            return;
-        Patch wider = patch;
-        std::vector<Vec2> points = patch.outline.points();
-        const Vec2 middle = patch.outline.boundingBox().center();
-        for (Vec2& point : points)
-            point = middle + 1.03 * (point - middle);
-        wider.outline = wider.outline.withPoints(points);
-        bent = bent.with({{}, {{id, bent.element(id), makeElement(wider)}}});
-        patches.push_back(id);
-    });
-    Scan scan;
-    scan.name = "Built";
-    scan.file = "built.ply";
-    scan.enabled = false;
-    bent = bent.with({{}, {{bent.nextId(), nullptr, makeElement(scan)}}});
-    writeText(folder.filePath("cushion.json"), writeDesign(bent));
-    ASSERT_TRUE(open(folder.filePath("cushion.json")));
-    ASSERT_TRUE(waitUntilAtRest());
-    waitForBackground();
+    openLargeCushion();
     const Design before = design();
 
     designer.choose({"Pattern", "Fit to a goal"});
@@ -221,6 +228,39 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     takeKeyboard();
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(writeDesign(design()), writeDesign(before));
+}
+
+TEST_F(BothWaysTest, StoppedItShowsTheBestThatWasFound)
+{
+    openLargeCushion();
+    const Design before = design();
+    designer.choose({"Pattern", "Fit to a goal"});
+    auto* dialog = window.findChild<PatternFitWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    const auto said = [&](const char* words) {
+        return std::ranges::any_of(dialog->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    };
+    QString first;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            for (const auto* label : dialog->findChildren<QLabel*>())
+                if (label->text().contains("from the form (rms)")) {
+                    first = first.isEmpty() ? label->text() : first;
+                    return label->text() != first; // a round has made it better
+                }
+            return false;
+        },
+        120000));
+    pressIn(*dialog, "Stop");
+    EXPECT_TRUE(dialog->hasFound());
+    EXPECT_TRUE(said("Stopped."));
+    EXPECT_TRUE(window.document().gestureRunning()) << "it is seen, and not taken yet";
+    EXPECT_FALSE(design() == before);
+    dialog->close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return design() == before; }, 10000));
 }
 
 TEST_F(BothWaysTest, AnEditMeanwhileEndsTheSearchAndNothingIsLost)

@@ -77,7 +77,17 @@ TEST_F(FindingsTest, WhatIsWrongIsSaidAndAClickGoesThere)
     EXPECT_TRUE(window.selection().contains(first.element));
     EXPECT_EQ(crossShown(), first.place.has_value());
     emit button()->menu()->aboutToShow();
-    EXPECT_EQ(button()->menu()->actions().size(), static_cast<int>(window.findings().findings().size()));
+    const auto findings = static_cast<int>(window.findings().findings().size());
+    EXPECT_EQ(button()->menu()->actions().size(), findings > 1 ? findings + 2 : 1);
+    EXPECT_EQ(window.statusLine().solverKey().toStdString(), first.text.key);
+    QPointer<QWidget> manual;
+    button()->menu()->actions().back()->trigger();
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (widget->inherits("bolster::ManualWindow"))
+            manual = widget;
+    ASSERT_TRUE(manual);
+    EXPECT_TRUE(manual->isVisible());
+    delete manual;
     window.command("edit.undo")->trigger();
     ASSERT_TRUE(waitUntilKnown());
     EXPECT_EQ(mood(), StatusLine::Mood::Good);

@@ -187,6 +187,14 @@ ProgramRun runWithSmallFiles(const QStringList& arguments)
             process.readAllStandardError().toStdString()};
 }
 
+TEST_F(Render, WhereNoPictureCanBeIsSaidBeforeItIsDrawn)
+{
+    const ProgramRun got =
+        runProgram({"render", m_design, "--image", path("none/a.png"), "--size", "8000x8000", "--samples", "256"});
+    EXPECT_EQ(got.exitCode, 1);
+    EXPECT_NE(got.err.find("none/a.png\" lies in a folder that is not there"), std::string::npos) << got.err;
+}
+
 TEST_F(Render, APictureThatDoesNotFitLeavesTheOlderOneAndIsAFailure)
 {
     const auto keepsTheOld = [this](const QString& name, const QStringList& words) {

@@ -2,6 +2,8 @@
 #include "BSpline.h"
 #include "DesignCheck.h"
 #include "DesignJson.h"
+#include "PatchMerge.h"
+#include "PatchSplit.h"
 
 #include "Growth.h"
 
@@ -77,6 +79,59 @@ TEST(Growth, ProblemsAreJoined)
                          Problems all = problems;
                          addNew(all, problems);
                          EXPECT_EQ(all.size(), problems.size());
+                     }),
+              nearlyLinear);
+}
+
+/// A patch with handle curves upright beside each other, 1 mm apart, all of one name.
+Design withHandles(int count)
+{
+    Design design;
+    Edit edit;
+    edit.changes.push_back({ElementId{1}, nullptr, makeElement(Fabric{})});
+    Patch patch;
+    patch.fabric = ElementId{1};
+    const double width = count + 1;
+    patch.outline = BSpline2(1, true, {{0, 0}, {width, 0}, {width, 100}, {0, 100}});
+    edit.changes.push_back({ElementId{2}, nullptr, makeElement(patch)});
+    for (int i = 1; i <= count; ++i) {
+        HandleCurve handle;
+        handle.name = "Handle";
+        handle.patch = ElementId{2};
+        handle.curve = BSpline2(1, false, {Vec2(i, 20), Vec2(i, 80)});
+        handle.target = BSpline3(1, false, {Vec3(i, 20, 0), Vec3(i, 80, 0)});
+        edit.changes.push_back({ElementId{2 + i}, nullptr, makeElement(std::move(handle))});
+    }
+    return design.with(edit);
+}
+
+TEST(Growth, PatchesWithManyHandlesAreCut)
+{
+    EXPECT_LT(
+        growth(
+            400, withHandles,
+            [](const Design& design) {
+                const double width = design.count<HandleCurve>() + 1;
+                const edits::Outcome cut = edits::splitPatch(design, ElementId{2}, {{-10, 50}, {width + 10, 50}});
+                EXPECT_TRUE(cut.problem.empty()) << cut.problem.english();
+                EXPECT_EQ(design.with(cut.edit).count<HandleCurve>(), 2 * design.count<HandleCurve>());
+            }),
+        nearlyLinear);
+}
+
+TEST(Growth, PatchesWithManyHandlesAreMerged)
+{
+    const auto make = [](int count) {
+        const Design design = withHandles(count);
+        return design.with(edits::splitPatch(design, ElementId{2}, {{-10, 50}, {count + 11.0, 50}}).edit);
+    };
+    EXPECT_LT(growth(200, make,
+                     [](const Design& design) {
+                         ElementId seam{};
+                         design.each<Seam>([&](ElementId id, const Seam&) { seam = id; });
+                         const edits::Outcome merged = edits::mergePatches(design, seam);
+                         EXPECT_TRUE(merged.problem.empty()) << merged.problem.english();
+                         EXPECT_EQ(design.with(merged.edit).count<HandleCurve>(), design.count<HandleCurve>() / 2);
                      }),
               nearlyLinear);
 }

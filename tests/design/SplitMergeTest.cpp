@@ -318,7 +318,66 @@ TEST_F(SplitMerge, MergingWhatWasSplitGivesTheOldOutline)
     const Patch& merged = *whole.find<Patch>(seat);
     EXPECT_EQ(merged.outline.pointCount(), 4);
     EXPECT_NEAR(merged.outline.signedArea(), 500 * 400, 1e-6);
-    EXPECT_EQ(seamsBetween(whole, seat, side).size(), 2u) << "seams that were divided stay so";
+    EXPECT_EQ(seamsBetween(whole, seat, side).size(), 1u);
+}
+
+int touchingHandles(const Design& design)
+{
+    int count = 0;
+    for (const Problem& problem : checkDesign(design))
+        count += problem.message.english().find("cross") != std::string::npos;
+    return count;
+}
+
+TEST_F(SplitMerge, MergingJoinsWhatTheCutHadDivided)
+{
+    FancySeam upright = *design.find<FancySeam>(pipe);
+    OutlineTrim trim{{seat, 2, 3}, {}, "welt"};
+    Design start = design.with(addElement(design, makeElement(trim)));
+    start = start.with(addElement(start, makeElement(EdgeAllowance{{seat, 3, 0}, 12, {}})));
+    for (const std::vector<Vec2>& line :
+         {std::vector<Vec2>{{210, 0}, {210, 500}}, {{-100, 120}, {900, 120}}, {{-100, 100}, {900, 350}}}) {
+        const Design halves = done(start, splitPatch(start, seat, line));
+        const ElementId piece = other(halves);
+        ElementId cut{};
+        halves.each<Seam>([&](ElementId id, const Seam& s) {
+            if ((s.a.patch == piece && s.b.patch == seat) || (s.a.patch == seat && s.b.patch == piece))
+                cut = id;
+        });
+        EXPECT_GT(halves.elements().size(), start.elements().size() + 2) << "something is divided";
+        const Design whole = done(halves, mergePatches(halves, cut));
+        EXPECT_EQ(whole.elements().size(), start.elements().size());
+        EXPECT_EQ(touchingHandles(whole), 0);
+        const auto* handle = whole.find<HandleCurve>(lumbar);
+        ASSERT_TRUE(handle);
+        EXPECT_EQ(handle->name, "Lumbar");
+        EXPECT_EQ(handle->curve.pointCount(), 2) << "no knot is left where it was cut";
+        EXPECT_LT((handle->curve.points().front() - Vec2(100, 300)).norm(), 1e-6);
+        EXPECT_LT((handle->curve.points().back() - Vec2(400, 300)).norm(), 1e-6);
+        EXPECT_EQ(handle->target.pointCount(), 2);
+        EXPECT_LT((handle->target.points().back() - Vec3(400, 300, 40)).norm(), 1e-6);
+        const auto* held = whole.find<FixationSeam>(fixation);
+        ASSERT_TRUE(held);
+        EXPECT_FALSE(held->curveRange) << "the whole rail";
+        EXPECT_NEAR(length(whole, held->stretch), 500, 1e-6);
+        EXPECT_NEAR(length(whole, seamsBetween(whole, seat, side).front().b), 400, 1e-6);
+        EXPECT_EQ(whole.find<FancySeam>(pipe)->curve.pointCount(), upright.curve.pointCount());
+    }
+}
+
+TEST_F(SplitMerge, SeamsThatMatchOtherPointsStayApart)
+{
+    // The side's corner lies a third of the way along the seat's edge: two seams, the first one with less ease.
+    Design start = design.with(removeElements(design, std::vector{seam}));
+    const Seam lower{{seat, 1, 1.25}, {side, 0.7, 1}, true}, upper{{seat, 1.25, 2}, {side, 0, 0.7}, true};
+    for (const Seam& one : {lower, upper})
+        start = start.with(addElement(start, makeElement(one)));
+    const Design halves = done(start, splitPatch(start, seat, {{-100, 120}, {900, 120}}));
+    ASSERT_EQ(seamsBetween(halves, seat, side).size() + seamsBetween(halves, other(halves), side).size(), 2u);
+    ElementId cut{};
+    halves.each<Seam>([&](ElementId id, const Seam& s) { cut = s.continuity == Continuity::C1 ? id : cut; });
+    const Design whole = done(halves, mergePatches(halves, cut));
+    EXPECT_EQ(seamsBetween(whole, seat, side).size(), 2u);
 }
 
 TEST_F(SplitMerge, AMirroredHalfMergesAlongTheMiddle)

@@ -185,6 +185,69 @@ TEST(Freedom, FixationsOfTheCarSeatMayMove)
         EXPECT_FALSE(hasErrors(checkSolvable(changedBy(design, freedom, 1)))) << freedom.name;
 }
 
+/// A roof that falls by half of the way on both sides of the ridge at y = 0.
+TriangleMesh roof()
+{
+    TriangleMesh mesh;
+    mesh.points = {{0, -100, -50}, {400, -100, -50}, {0, 0, 0}, {400, 0, 0}, {0, 100, -50}, {400, 100, -50}};
+    mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}};
+    return mesh;
+}
+
+/// Held by a curve on the roof, on the side of negative y.
+Design heldOnRoof(double y)
+{
+    Design design = sample("cylinder");
+    ElementId curve{};
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& held) { curve = held.curve; });
+    FixationCurve rail = *design.find<FixationCurve>(curve);
+    rail.curve = BSpline3(1, false, {{100, y, -std::abs(y) / 2}, {300, y, -std::abs(y) / 2}});
+    design = design.with({{}, {{curve, nullptr, makeElement(rail)}}});
+    return design.with({{}, {{ElementId{900}, nullptr, makeElement(Frame{})}}});
+}
+
+TEST(Freedom, FixationCurvesSlideOnTheFrameThatTheyLieOn)
+{
+    const Design design = heldOnRoof(-20);
+    DesignFiles files;
+    files.meshes[ElementId{900}] = std::make_shared<TriangleMesh>(roof());
+    std::vector<Freedom> slides;
+    for (const Freedom& freedom : fixationFreedoms(design, files))
+        if (freedom.kind == Freedom::Kind::CurveSlide)
+            slides.push_back(freedom);
+    ASSERT_EQ(slides.size(), 2U) << "sideways, and turned";
+    const auto pointsAt = [&](double sideways, double turned) {
+        const Design moved = withFreedoms(design, slides, Eigen::Vector2d(sideways, turned));
+        return moved.find<FixationCurve>(slides.front().element)->curve.points();
+    };
+    const Vec3 upwards = Vec3(0, 2, 1).normalized();
+    const std::vector<Vec3> near = pointsAt(10, 0), back = pointsAt(-10, 0), turned = pointsAt(0, 10);
+    const double way = near[0].y() > -20 ? 1 : -1; // which side is left is not asked here
+    EXPECT_LT((near[0] - Vec3(100, -20, -10) - way * 10 * upwards).norm(), 1e-3);
+    EXPECT_LT((back[1] - Vec3(300, -20, -10) + way * 10 * upwards).norm(), 1e-3);
+    EXPECT_LT((turned[0] - Vec3(100, -20, -10) + way * 10 * upwards).norm(), 1e-3);
+    EXPECT_LT((turned[1] - Vec3(300, -20, -10) - way * 10 * upwards).norm(), 1e-3);
+    for (const Vec3& point : pointsAt(way * 60, 0)) { // over the ridge
+        EXPECT_GT(point.y(), 20);
+        EXPECT_NEAR(point.z(), -point.y() / 2, 1e-3) << "on the other side of the roof";
+    }
+    EXPECT_TRUE(withFreedoms(design, slides, Eigen::Vector2d::Zero()) == design);
+}
+
+TEST(Freedom, FixationCurvesThatLieOnNoFrameGoAnywhere)
+{
+    Design design = heldOnRoof(-20);
+    DesignFiles files;
+    files.meshes[ElementId{900}] = std::make_shared<TriangleMesh>(roof());
+    Frame above;
+    above.position = {0, 0, 50}; // mm
+    design = design.with({{}, {{ElementId{900}, nullptr, makeElement(above)}}});
+    const std::vector<Freedom> freedoms = fixationFreedoms(design, files);
+    EXPECT_EQ(freedoms.size(), fixationFreedoms(design).size());
+    for (const Freedom& freedom : freedoms)
+        EXPECT_EQ(freedom.kind, Freedom::Kind::CurvePlace);
+}
+
 /// Those of twins would be there twice.
 TEST(Freedom, TwinsThatFollowAreNotFree)
 {

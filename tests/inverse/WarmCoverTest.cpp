@@ -168,6 +168,43 @@ TEST(WarmCover, FoamAndOutlinesLeaveNoTrace)
     }
 }
 
+/// As workers do, of which each is asked for some of the covers, as they have time.
+TEST(WarmCover, WhatWasAskedForBeforeDoesNotMatter)
+{
+    const OpenedDesign opened = openDesign(QString::fromStdString(samplesFolder() + "/car-seat/car-seat.json"));
+    const Design& design = opened.design;
+    const std::vector<Freedom> freedoms = outlineFreedoms(design);
+    std::vector<Design> variants;
+    for (std::size_t k = 0; k < freedoms.size(); k += freedoms.size() / 12)
+        variants.push_back(changedBy(design, freedoms[k], 3));
+    Eigen::VectorXd values(std::ssize(freedoms));
+    for (Eigen::Index k = 0; k < values.size(); ++k)
+        values[k] = 4 * std::sin(1 + 0.7 * static_cast<double>(k));
+    const Design bent = withFreedoms(design, freedoms, values);
+    WarmOrder order;
+    order.edgeLength = 20;
+    order.tolerance = 1e-5;
+    const SolveInput input{design, opened.files};
+    WarmCover forwards(input, order), backwards(input, order);
+    std::vector<Eigen::Matrix3Xd> places;
+    for (const Design& variant : variants) {
+        ASSERT_TRUE(forwards.follow(variant));
+        places.push_back(forwards.state().positions);
+    }
+    for (std::size_t k = variants.size(); k-- > 0;) {
+        ASSERT_TRUE(backwards.follow(variants[k]));
+        EXPECT_TRUE(backwards.state().positions == places[k]) << k;
+    }
+    ASSERT_TRUE(forwards.follow(bent)); // tried before it is taken
+    ASSERT_TRUE(forwards.moveHome(bent));
+    ASSERT_TRUE(backwards.moveHome(bent));
+    EXPECT_TRUE(forwards.home().positions == backwards.home().positions);
+    ASSERT_TRUE(backwards.follow(variants[1]));
+    ASSERT_TRUE(forwards.follow(variants[0]));
+    ASSERT_TRUE(backwards.follow(variants[0]));
+    EXPECT_TRUE(forwards.state().positions == backwards.state().positions);
+}
+
 TEST(WarmCover, ANewHomeIsWhereTheWayBegins)
 {
     const Design design = sample("box-cushion");

@@ -42,9 +42,19 @@ double typedOver(NumberBox& box, const char* text)
     return box.value();
 }
 
+TEST(Translated, NamesThatTurnTheDirectionDoNotTurnTheSentence)
+{
+    EXPECT_EQ(isolated(QStringLiteral("Seat 2")), QStringLiteral("Seat 2"));
+    EXPECT_EQ(isolated(QStringLiteral("a\u202eb\u2069")), QStringLiteral("\u2068a\u202eb\u2069"));
+    EXPECT_EQ(isolated(isolated(QStringLiteral("\u05de"))), QStringLiteral("\u2068\u05de\u2069"));
+    EXPECT_EQ(translated(Message{"Move %1", {"\u202eSeat"}}), QStringLiteral("Move \u2068\u202eSeat\u2069"));
+}
+
 TEST(Units, AreShownAsTheyAreChosen)
 {
     EXPECT_EQ(lengthText(314.325), "314.3 mm");
+    EXPECT_EQ(lengthText(-0.04), "0 mm");
+    EXPECT_EQ(steadyLengthText(-0.04), steadyLengthText(0)) << "without a sign";
     {
         const StyledNumbers centimetres({LengthUnit::Centimetres, 16, DecimalSign::Point});
         EXPECT_EQ(lengthText(314.325), "31.43 cm");

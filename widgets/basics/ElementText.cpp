@@ -1,6 +1,7 @@
 #include "ElementText.h"
 
 #include "StretchLength.h"
+#include "Translated.h"
 #include "Units.h"
 
 #include <QCoreApplication>
@@ -23,8 +24,9 @@ QString nameOrNumber(const Design& design, ElementId id)
         return QCoreApplication::translate("ElementText", "missing element %1").arg(number(id));
     if (id == settingsId) // there is only one
         return kindWord(kindOf(*element));
-    const QString name = QString::fromStdString(elementName(*element));
-    return name.isEmpty() ? QStringLiteral("%1 %2").arg(kindWord(kindOf(*element))).arg(number(id)) : name;
+    const QString name = QString::fromStdString(shortened(elementName(*element)));
+    return name.isEmpty() ? QStringLiteral("%1 %2").arg(kindWord(kindOf(*element))).arg(number(id))
+                          : isolated(name);
 }
 
 /// That of the settings, which stands for any, if they are of different ones.

@@ -100,7 +100,8 @@ QString decimalText(double value, int decimals, bool trailingZeros)
 {
     QLocale locale = numberLocale();
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    QString text = locale.toString(value, 'f', decimals);
+    const bool isNothing = std::abs(value) < 0.5 * std::pow(10, -decimals); // no "-0.00"
+    QString text = locale.toString(isNothing ? 0 : value, 'f', decimals);
     const QString point = locale.decimalPoint();
     if (!trailingZeros && text.contains(point)) {
         while (text.endsWith(locale.zeroDigit()))
@@ -108,7 +109,7 @@ QString decimalText(double value, int decimals, bool trailingZeros)
         if (text.endsWith(point))
             text.chop(point.size());
     }
-    return text == QLatin1String("-0") ? QStringLiteral("0") : text;
+    return text;
 }
 
 QString inchFractionText(double inches, int fraction)

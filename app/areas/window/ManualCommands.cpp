@@ -8,6 +8,7 @@
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "Samples.h"
+#include "StatusLine.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -65,6 +66,12 @@ QString ManualCommands::placeOfMenu() const
 QString ManualCommands::placeNow() const
 {
     const QWidget* focus = QApplication::focusWidget();
+    // Nobody types into the state line: who points at its sentence asks for that.
+    const QWidget* pointedAt = QApplication::widgetAt(QCursor::pos());
+    if (const auto* line = m_window.findChild<StatusLine*>())
+        if ((focus && line->isAncestorOf(focus)) || (pointedAt && line->isAncestorOf(pointedAt)))
+            if (const QString place = m_places.ofMessage(line->solverKey()); !place.isEmpty())
+                return place;
     if (const auto* problems = qobject_cast<const ProblemsView*>(focus))
         if (const QString place = m_places.ofMessage(problems->currentKey()); !place.isEmpty())
             return place;
@@ -79,6 +86,12 @@ QString ManualCommands::placeNow() const
                 return place;
     const QString place = m_places.ofWidget(focus ? focus : QApplication::activeWindow());
     return place.isEmpty() ? ManualPlaces::first() : place;
+}
+
+void ManualCommands::openMessage(const QString& key)
+{
+    const QString place = m_places.ofMessage(key);
+    open(place.isEmpty() ? placeNow() : place);
 }
 
 void ManualCommands::open(const QString& place)

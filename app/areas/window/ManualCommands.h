@@ -23,6 +23,8 @@ public:
 
     /// Where the keyboard is: a problem, the tool of a view, a form, a window.
     QString placeNow() const;
+    /// What a message means, by its key.
+    void openMessage(const QString& key);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 

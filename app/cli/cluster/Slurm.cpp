@@ -48,6 +48,9 @@ std::string scriptOf(const SlurmOrder& order)
 
 SlurmOrder SlurmOrder::from(const Arguments& arguments, const QString& subcommand, const QString& folder)
 {
+    for (const char* option : {"--jobs", "--sbatch"})
+        if (arguments.has(option) && !arguments.has("--slurm"))
+            throw UsageError(std::string(option) + " is for jobs of Slurm: give --slurm, too");
     SlurmOrder order;
     order.folder = folder;
     order.name = "bolster-" + subcommand;

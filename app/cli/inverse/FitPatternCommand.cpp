@@ -36,8 +36,9 @@ Options:
   --out FILE.json       the changed design; never replaced when it is there already
   --freedom WORDS       what may change: outlines (the usual), seams (where they end on
                         smooth edges), ease (how much the sides of seams differ), foam,
-                        fixations, pressure, stretch (stiffness and Poisson number of
-                        the fabrics), with commas between them
+                        fixations (along the frame that they lie on, else anywhere),
+                        pressure, stretch (stiffness and Poisson number of the fabrics),
+                        with commas between them
   --lock WORDS          what stays: lengths (of seams against each other), straight
                         (edges), corners (their angles), patch:NAME; lengths,straight
                         without this. Grain, twins and notches always stay.
@@ -188,8 +189,9 @@ void readLocks(const Arguments& arguments, const Design& design, Asked& asked)
     }
 }
 
-void readFreedoms(const Arguments& arguments, const Design& design, Asked& asked)
+void readFreedoms(const Arguments& arguments, const OpenedDesign& opened, Asked& asked)
 {
+    const Design& design = opened.design;
     const QString text = arguments.has("--freedom") ? arguments.path("--freedom") : "outlines";
     const auto add = [&](std::vector<Freedom> more) {
         for (Freedom& freedom : more)
@@ -202,7 +204,7 @@ void readFreedoms(const Arguments& arguments, const Design& design, Asked& asked
         else if (word == "foam")
             add(foamFreedoms(design));
         else if (word == "fixations")
-            add(fixationFreedoms(design));
+            add(fixationFreedoms(design, opened.files));
         else if (word == "pressure")
             add(pressureFreedoms(design));
         else if (word == "stretch")
@@ -219,6 +221,8 @@ void readFreedoms(const Arguments& arguments, const Design& design, Asked& asked
     if (asked.order.freedoms.empty() && !asked.order.locks.ease)
         throw UsageError("--freedom ease: sides of seams come to differ when outlines may change, too: "
                          "--freedom outlines,ease");
+    if (design.count<Patch>() == 0)
+        throw UsageError("the design has no patch: there is no pattern to fit");
     if (asked.order.freedoms.empty())
         throw UsageError("the design has nothing of what --freedom names");
 }
@@ -232,7 +236,7 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
 {
     Asked asked;
     readLocks(arguments, opened.design, asked);
-    readFreedoms(arguments, opened.design, asked);
+    readFreedoms(arguments, opened, asked);
     FitGoals& goals = asked.order.goals;
     for (const std::string& name : arguments.values("--patch"))
         goals.area.patches.insert(patchNamed(opened.design, name));

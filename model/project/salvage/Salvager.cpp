@@ -60,7 +60,9 @@ public:
     {
         constexpr std::size_t mostGaps = 1'000;
         std::vector<Message> all;
-        all.push_back({QT_TRANSLATE_NOOP("Message", "%1 versions were saved"), {std::to_string(m_kept.size())}});
+        all.push_back(m_kept.size() == 1 ? Message{QT_TRANSLATE_NOOP("Message", "one version was saved"), {}}
+                                         : Message{QT_TRANSLATE_NOOP("Message", "%1 versions were saved"),
+                                                   {std::to_string(m_kept.size())}});
         for (const std::string& table : m_from.lostTables())
             all.push_back(
                 {QT_TRANSLATE_NOOP("Message", "lost: the table \"%1\", which is missing or has other columns "

@@ -2,7 +2,9 @@
 
 #include "ArcLength.h"
 #include "DesignCheck.h"
+#include "DividedParts.h"
 #include "EditBuilder.h"
+#include "NeedlessKnots.h"
 #include "OutlinePlaces.h"
 #include "PatchPoints.h"
 #include "PlaneCurves.h"
@@ -106,27 +108,6 @@ BSpline2 withEnd(const BSpline2& curve, bool last, const Vec2& to)
         points[static_cast<std::size_t>(last ? count - 1 - k : k)] += (1 - static_cast<double>(k) / degree) * delta;
     (last ? points.back() : points.front()) = to;
     return curve.withPoints(std::move(points));
-}
-
-/// Without knots at the parameter that the shape does not need.
-BSpline2 withoutNeedlessKnots(BSpline2 outline, double t)
-{
-    const double tolerance = 1e-7 * outline.boundingBox().diagonal().norm();
-    for (int i = 0; i < outline.degree(); ++i) {
-        const auto fewer = outline.withoutPoint(outline.pointAt(outline.wrapped(t)));
-        if (!fewer)
-            break;
-        const int samples = 8 * outline.pointCount();
-        for (int k = 0; k < samples; ++k) {
-            const double at = outline.domainStart() + outline.period() * k / samples;
-            if ((outline.at(at) - fewer->at(at)).norm() > tolerance)
-                return outline;
-        }
-        if ((outline.at(t) - fewer->at(t)).norm() > tolerance)
-            break;
-        outline = *fewer;
-    }
-    return outline;
 }
 
 bool runsCounterClockwise(const Half& half)
@@ -323,6 +304,7 @@ Outcome mergeOne(const Design& design, ElementId seamId)
     for (const ElementId id : row)
         builder.remove(id);
     builder.remove(b.id);
+    joinDivided(design, a.id, b.id, starts, builder);
     outcome.edit = builder.result(
         {QT_TRANSLATE_NOOP("Message", "Merge %1 and %2"), {displayName(design, a.id), displayName(design, b.id)}});
     return outcome;

@@ -45,8 +45,10 @@ public:
         , m_id(id)
         , m_patch(patch)
         , m_builder(design)
+        , m_handles(design)
         , m_large(std::move(first))
         , m_small(std::move(second))
+        , m_cut(m_large.outline.part(m_large.cut().from, m_large.cut().to).boundingBox())
     {
         if (std::abs(m_large.outline.signedArea()) < std::abs(m_small.outline.signedArea()))
             std::swap(m_large, m_small);
@@ -110,7 +112,10 @@ private:
         const BSpline2& curve = patchCurve(element)->curve;
         std::vector<double> crossings;
         int last = 0, first = 0;
+        const bool farFromCut = !m_cut.intersects(curve.boundingBox());
         for (int k = 0; k <= samples; ++k) {
+            if (farFromCut && first != 0)
+                break; // it is all there
             const double t = curve.domainStart() + curve.period() * k / samples;
             const int now = side(curve.at(t));
             if (now != 0 && last != 0 && now != last)
@@ -185,7 +190,7 @@ private:
         }
         one.patch = beginsInSmall ? m_small.id : m_id;
         two.patch = beginsInSmall ? m_id : m_small.id;
-        two.name = freeName<HandleCurve>(m_builder.now(), handle.name);
+        two.name = m_handles.free(handle.name);
         m_builder.replace(id, std::move(one));
         m_builder.add(std::move(two));
     }
@@ -194,7 +199,9 @@ private:
     ElementId m_id;
     const Patch& m_patch;
     EditBuilder m_builder;
+    Names<HandleCurve> m_handles;
     Piece m_large, m_small;
+    BSpline2::Box m_cut; // around the cut
 };
 
 Message crossingsProblem(const std::string& name, std::size_t count)
