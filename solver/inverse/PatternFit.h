@@ -49,8 +49,7 @@ Design withEases(const Design& before, const Design& changed);
 
 /// Gauss-Newton steps with Levenberg's damping, whose derivatives are differences of covers at rest; first on few
 /// triangles, then on those of the design. A step is taken only if the cover that comes to rest is better.
-/// `progress`: share of the work, about, and what was reached. Two runs may end a little apart: on the scan of the
-/// car seat 2.5 and 2.7 mm rms were seen.
+/// `progress`: share of the work, about, and what was reached. The result is the same on any number of threads.
 FitResult fitPattern(const SolveInput& input, const FitOrder& order,
                      const std::function<void(double, const FitRound&)>& progress = {},
                      const std::stop_token& stop = {});

@@ -1,7 +1,10 @@
 // Patterns that follow a goal.
 #include "PatternFit.h"
 
+#include "DesignFile.h"
+#include "RestingSolve.h"
 #include "TestFreedoms.h"
+#include "TestPaths.h"
 #include "WarmCover.h"
 
 #include <gtest/gtest.h>
@@ -133,6 +136,35 @@ TEST_P(PatternFitOf, StoppedIsAsItWas)
         EXPECT_EQ(result.status, FitResult::Status::Cancelled);
         EXPECT_TRUE(result.design == wrong);
         EXPECT_TRUE(result.values.isZero());
+    }
+}
+
+/// On a seat steps are tried in vain, after which every worker's cover is elsewhere.
+TEST(PatternFit, OfASeatIsTheSameOnAnyNumberOfThreads)
+{
+    const OpenedDesign opened =
+        openDesign(QString::fromStdString(samplesFolder() + "/car-seat/car-seat.json"));
+    const SolveInput wrong{withEdgeLength({bent(opened.design, 12), opened.files}, 60).design, opened.files};
+    const SolveInput right{withEdgeLength({opened.design, opened.files}, 60).design, opened.files};
+    FitOrder order;
+    const SolveResult cover = solveResting(right, {});
+    ASSERT_TRUE(cover.surface);
+    TriangleMesh mesh;
+    for (const Vec3& place : cover.surface->positions)
+        mesh.points.push_back(place + Vec3(0, 6, 4));
+    mesh.triangles = cover.surface->topology->triangles;
+    order.goals.target = targetOf(mesh);
+    order.freedoms = outlineFreedoms(wrong.design);
+    std::vector<FitResult> results;
+    for (const int threads : {1, 2, 3}) {
+        order.threads = threads;
+        results.push_back(fitPattern(wrong, order));
+        ASSERT_EQ(results.back().status, FitResult::Status::Done) << results.back().reason.english();
+        ASSERT_EQ(results.back().rounds.size(), results.front().rounds.size());
+        for (std::size_t k = 0; k < results.front().rounds.size(); ++k)
+            EXPECT_EQ(results.back().rounds[k].figures.distanceRms, results.front().rounds[k].figures.distanceRms)
+                << "round " << k << " with " << threads << " threads";
+        EXPECT_TRUE(results.back().values == results.front().values);
     }
 }
 
