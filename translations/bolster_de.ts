@@ -10321,10 +10321,6 @@
         <translation>F&amp;ixierungen</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>Wo Fixierkurven liegen</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>&amp;Druck</translation>
     </message>
@@ -10550,6 +10546,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren:</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Wo Fixierkurven liegen: auf ihren Gestellen, oder im Raum, wo keines ist</translation>
     </message>
 </context>
 <context>

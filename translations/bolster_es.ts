@@ -10321,10 +10321,6 @@
         <translation>F&amp;ijaciones</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>Dónde están las curvas de fijación</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>&amp;Presión</translation>
     </message>
@@ -10550,6 +10546,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Detenido. Con todos los cambios encontrados hasta entonces:</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Dónde están las curvas de fijación: sobre sus armazones o en el espacio donde no hay ninguno</translation>
     </message>
 </context>
 <context>

@@ -10321,10 +10321,6 @@
         <translation>&amp;Fixations</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>Position des courbes de fixation</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>Press&amp;ion</translation>
     </message>
@@ -10550,6 +10546,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Arrêté. Avec toutes les modifications trouvées jusque-là&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Où se trouvent les courbes de fixation&#x202f;: sur leurs armatures, ou dans l’espace s’il n’y en a pas</translation>
     </message>
 </context>
 <context>

@@ -10321,10 +10321,6 @@
         <translation>&amp;Fissaggi</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>Dove si trovano le curve di fissaggio</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>&amp;Pressione</translation>
     </message>
@@ -10550,6 +10546,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Fermato. Con tutte le modifiche trovate fino a quel momento:</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Dove si trovano le curve di fissaggio: sui loro telai, o nello spazio dove non ce n’è</translation>
     </message>
 </context>
 <context>

@@ -10292,10 +10292,6 @@
         <translation>固定(&amp;I)</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>固定曲線の位置</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>圧力(&amp;P)</translation>
     </message>
@@ -10520,6 +10516,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>停止しました。それまでに見つかった変更をすべて適用した場合:</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>固定曲線の位置：フレームの上、フレームがなければ空間内</translation>
     </message>
 </context>
 <context>

@@ -10350,10 +10350,6 @@
         <translation>&amp;Mocowania</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>Położenie krzywych mocowania</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>&amp;Ciśnienie</translation>
     </message>
@@ -10580,6 +10576,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili:</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Gdzie leżą krzywe mocowania: na stelażach albo w przestrzeni, jeśli stelaża nie ma</translation>
     </message>
 </context>
 <context>

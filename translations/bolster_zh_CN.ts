@@ -10292,10 +10292,6 @@
         <translation>固定(&amp;I)</translation>
     </message>
     <message>
-        <source>Where fixation curves lie</source>
-        <translation>固定曲线的位置</translation>
-    </message>
-    <message>
         <source>&amp;Pressure</source>
         <translation>压力(&amp;P)</translation>
     </message>
@@ -10520,6 +10516,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>已停止。采用到此为止找到的全部更改：</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>固定曲线的位置：在骨架上，没有骨架时在空间中</translation>
     </message>
 </context>
 <context>
