@@ -15,6 +15,7 @@ namespace bolster {
 
 namespace {
 
+constexpr double farthestFlat = 1e6;   // mm: what lies farther out has burst when it was laid flat
 constexpr double sharpTurn = 35;       // degrees: an outline or a border that turns more has a corner
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
@@ -194,8 +195,8 @@ private:
     void addPatch(std::size_t p)
     {
         m_result.patches.push_back(noElement);
-        const auto finite = [](const Vec2& at) { return at.allFinite(); };
-        if (m_flat[p].turnedShare > mostTurned || !std::ranges::all_of(m_flat[p].at, finite)) {
+        const auto sensible = [](const Vec2& at) { return (at.array().abs() <= farthestFlat).all(); };
+        if (m_flat[p].turnedShare > mostTurned || !std::ranges::all_of(m_flat[p].at, sensible)) {
             leaveOut(p);
             return;
         }

@@ -339,7 +339,7 @@ TEST_F(LooksTest, SplittingAndMergingKeepTrimsAndColours)
     ASSERT_TRUE(merged.problem.empty()) << merged.problem.english();
     apply(merged.edit);
     EXPECT_EQ(get<Colourway>(blue).fabrics.size(), 1U);
-    EXPECT_EQ(all<OutlineTrim>().size(), 2U) << "side by side";
+    EXPECT_EQ(all<OutlineTrim>().size(), 1U) << "as it was";
     EXPECT_EQ(get<Seam>(seam).trim.stitch, SeamTrim::Stitch::Twin);
 }
 

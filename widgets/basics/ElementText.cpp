@@ -103,6 +103,13 @@ QString displayName(const Design& design, ElementId id)
     return nameOrNumber(design, id);
 }
 
+QString listName(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    const QString name = element ? QString::fromStdString(elementName(*element)) : QString();
+    return name.isEmpty() ? displayName(design, id) : isolated(name);
+}
+
 QString countedText(const Design& design, std::span<const ElementId> ids)
 {
     if (ids.size() == 1)

@@ -44,6 +44,8 @@ QString kindIcon(ElementKind kind);
 
 /// The name, or for elements without one what they join: "Seat - Front band". Never empty.
 QString displayName(const Design& design, ElementId id);
+/// The same for lists, which cut by themselves what is too long: a name is whole.
+QString listName(const Design& design, ElementId id);
 /// "3 patches", or "3 elements" if they are of different kinds; of a single one its name.
 QString countedText(const Design& design, std::span<const ElementId> ids);
 /// The same for the words of an edit, which are kept: the number in English, as `translated` takes it.

@@ -95,7 +95,7 @@ std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
     std::map<ElementKind, std::vector<Row>> byKind;
     for (const auto& [id, element] : design.elements())
         byKind[kindOf(*element)].push_back(
-            {id, displayName(design, id), QString::fromStdString(elementNote(*element))});
+            {id, listName(design, id), QString::fromStdString(elementNote(*element))});
     for (auto& [kind, rows] : byKind)
         if (!hasName(*design.element(rows.front().id)))
             tellApart(design, rows);
