@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
 constexpr double splinter = 0.02;           // of the mean area: what cuts have left of a triangle says nothing
 constexpr double mostStrain = 0.5;          // as in the sheet's local step
+constexpr double leastHeight = 0.005;       // of a triangle, of its longest edge: cuts leave ones without an area
+constexpr double holding = 1e-9;            // of every vertex where it is, against cotangents
 
 /// A triangle of the form in its own plane.
 struct Facet {
@@ -30,12 +33,25 @@ struct Facet {
     double area = 0;
 };
 
+/// One that is as good as its longest edge is taken as a little higher: how it lies says nothing, and its weights
+/// would drown those of all others.
 Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, const Vec3& c)
 {
-    const Vec3 x = (b - a).normalized(), normal = (b - a).cross(c - a);
-    const Vec3 y = normal.normalized().cross(x);
-    const std::array<Vec2, 3> at{Vec2(0, 0), Vec2((b - a).norm(), 0), Vec2((c - a).dot(x), (c - a).dot(y))};
-    Facet facet{corners, {}, normal.norm() / 2};
+    const std::array<Vec3, 3> places{a, b, c};
+    const auto edge = [&](std::size_t k) { return Vec3(places[(k + 1) % 3] - places[k]); };
+    const std::size_t base = edge(0).norm() >= edge(1).norm() ? (edge(0).norm() >= edge(2).norm() ? 0 : 2)
+                                                              : (edge(1).norm() >= edge(2).norm() ? 1 : 2);
+    const double longest = edge(base).norm();
+    Facet facet{corners, Mat23::Zero(), 0};
+    if (!(longest > 0))
+        return facet;
+    const Vec3 x = edge(base) / longest, way = places[(base + 2) % 3] - places[base];
+    const double along = way.dot(x), height = std::max((way - along * x).norm(), leastHeight * longest);
+    std::array<Vec2, 3> at;
+    at[base] = Vec2(0, 0);
+    at[(base + 1) % 3] = Vec2(longest, 0);
+    at[(base + 2) % 3] = Vec2(along, height);
+    facet.area = longest * height / 2;
     for (int k = 0; k < 3; ++k) {
         const Vec2 opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
         facet.gradient.col(k) = Vec2(-opposite.y(), opposite.x()) / (2 * facet.area);
@@ -92,7 +108,8 @@ public:
             add(edge.from, edge.to, -w);
             add(edge.to, edge.from, -w);
         }
-        add(0, 0, 1); // it may lie anywhere
+        for (int v = 0; v < m_count; ++v)
+            add(v, v, v == 0 ? 1 : holding); // it may lie anywhere
         Sparse matrix(m_count, m_count);
         matrix.setFromTriplets(entries.begin(), entries.end());
         if (!m_solver) { // what is where stays from pass to pass
@@ -100,6 +117,8 @@ public:
             m_solver->analyzePattern(matrix);
         }
         m_solver->factorize(matrix);
+        if (m_solver->info() != Eigen::Success)
+            m_at.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
 
     double length(std::size_t edge) const
@@ -110,6 +129,8 @@ public:
     /// One round; `wanted` are the lengths of the sewn edges. Returns how far the farthest vertex has moved, mm.
     double iterate(const std::vector<double>& wanted)
     {
+        if (!m_at.allFinite())
+            return 0;
         Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_count, 2);
         for (const Facet& facet : m_facets) {
             const Eigen::Matrix<double, 3, 2> pull =
@@ -125,7 +146,8 @@ public:
             right.row(edge.to) += pull.transpose();
             right.row(edge.from) -= pull.transpose();
         }
-        right.row(0) += m_at.row(0);
+        right += holding * m_at;
+        right.row(0) += (1 - holding) * m_at.row(0);
         const Eigen::MatrixX2d next = m_solver->solve(right);
         // Where the piece lies does not matter: what counts is how its shape has changed.
         const Eigen::RowVector2d drift = (next - m_at).colwise().mean();
@@ -267,8 +289,12 @@ private:
         rows.setFromTriplets(entries.begin(), entries.end());
         const Sparse transposed = rows.transpose();
         const Eigen::SimplicialLDLT<Sparse> solver(transposed * rows);
-        const Eigen::VectorXd places = solver.solve(transposed * right);
         m_at = Eigen::MatrixX2d::Zero(m_count, 2);
+        if (solver.info() != Eigen::Success) { // its values are anything then
+            m_at.setConstant(std::numeric_limits<double>::quiet_NaN());
+            return;
+        }
+        const Eigen::VectorXd places = solver.solve(transposed * right);
         m_at.row(second) = Eigen::RowVector2d(apart, 0);
         for (Eigen::Index v = 0; v < m_count; ++v)
             if (number[v] >= 0)
@@ -370,6 +396,11 @@ private:
             const std::size_t edge = (row.first + k) % piece.border.size();
             const EdgeMate& mate = piece.mates[edge];
             const double here = m_sheets[p].length(edge), there = m_sheets[mate.piece].length(mate.edge);
+            if (!std::isfinite(there)) { // what cannot be laid flat asks for nothing
+                mine = other = 0;
+                lengths[edge] = here;
+                continue;
+            }
             mine += here;
             other += there;
             lengths[edge] = 0.5 * (here + there);

@@ -16,6 +16,7 @@ namespace bolster {
 namespace {
 
 constexpr double farthestFlat = 1e6;   // mm: what lies farther out has burst when it was laid flat
+constexpr double leastShape = 1e-6;    // of a triangle, against the squares of its sides
 constexpr double sharpTurn = 35;       // degrees: an outline or a border that turns more has a corner
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
@@ -202,6 +203,16 @@ private:
         }
         openCuts(p);
         openRing(p);
+        try {
+            addOutline(p);
+        } catch (const std::invalid_argument&) { // edges without a length
+            m_starts[p].clear();
+            leaveOut(p);
+        }
+    }
+
+    void addOutline(std::size_t p)
+    {
         const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
         std::vector<BSpline2> curves;
         std::vector<std::size_t> rows; // which curve each row begins with
@@ -246,7 +257,7 @@ private:
             Eigen::Matrix2d laid;
             laid << flat(1) - flat(0), flat(2) - flat(0);
             const double size = edges.col(0).cross(edges.col(1)).norm() / 2;
-            if (!(size > 0))
+            if (!(size > leastShape * edges.squaredNorm())) // which way it lies is not known
                 continue;
             area += size;
             sum += size * (laid * (edges.transpose() * edges).inverse() * edges.transpose() * m_order.grain.along);

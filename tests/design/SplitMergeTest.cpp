@@ -4,6 +4,7 @@
 #include "CornerEdits.h"
 #include "DesignCheck.h"
 #include "ElementEdits.h"
+#include "FollowEdits.h"
 #include "LayoutEdits.h"
 #include "MeasurementEdits.h"
 #include "OutlineEdits.h"
@@ -14,6 +15,11 @@
 
 #include "Random.h"
 #include "TestData.h"
+#include "TestPaths.h"
+#include "Twins.h"
+
+#include <fstream>
+#include <iterator>
 
 namespace bolster::splitting { // names that other tests have, too
 namespace {
@@ -66,6 +72,16 @@ double area(const Design& design)
     return sum;
 }
 
+std::vector<Seam> seamsOf(const Design& design, ElementId a, ElementId b)
+{
+    std::vector<Seam> found;
+    design.each<Seam>([&](ElementId, const Seam& s) {
+        if ((s.a.patch == a && s.b.patch == b) || (s.a.patch == b && s.b.patch == a))
+            found.push_back(s);
+    });
+    return found;
+}
+
 class SplitMerge : public testing::Test {
 protected:
     const Design design = test::soundDesign(sewnPatches);
@@ -89,15 +105,7 @@ protected:
         after.each<Patch>([&](ElementId one, const Patch&) { id = one == seat || one == side ? id : one; });
         return id;
     }
-    static std::vector<Seam> seamsBetween(const Design& d, ElementId a, ElementId b)
-    {
-        std::vector<Seam> found;
-        d.each<Seam>([&](ElementId, const Seam& s) {
-            if ((s.a.patch == a && s.b.patch == b) || (s.a.patch == b && s.b.patch == a))
-                found.push_back(s);
-        });
-        return found;
-    }
+    static std::vector<Seam> seamsBetween(const Design& d, ElementId a, ElementId b) { return seamsOf(d, a, b); }
 };
 
 TEST_F(SplitMerge, SplitsAcrossASeamAndDividesIt)
@@ -362,6 +370,41 @@ TEST_F(SplitMerge, MergingJoinsWhatTheCutHadDivided)
         EXPECT_NEAR(length(whole, held->stretch), 500, 1e-6);
         EXPECT_NEAR(length(whole, seamsBetween(whole, seat, side).front().b), 400, 1e-6);
         EXPECT_EQ(whole.find<FancySeam>(pipe)->curve.pointCount(), upright.curve.pointCount());
+    }
+}
+
+/// Both sides of a twin are cut and merged; the seams of each to the piece in the middle run opposite ways.
+TEST(SplitMergeOfTwins, LosesNoSeam)
+{
+    std::ifstream file(test::samplesFolder() + "/../templates/dining-chair.json");
+    const Design start = readDesign(std::string(std::istreambuf_iterator<char>(file), {})).design;
+    const ElementId inner{28};
+    ASSERT_TRUE(start.find<Patch>(inner));
+    ASSERT_NE(twinOf(start, inner), noElement);
+    const Box2 box = layoutBox(*start.find<Patch>(inner));
+    for (const double share : {0.3, 0.5, 0.8}) {
+        const double y = box.min().y() + share * box.sizes().y();
+        const Outcome cut = splitPatch(start, inner, {{box.min().x() - 20, y}, {box.max().x() + 20, y}});
+        ASSERT_TRUE(cut.problem.empty()) << cut.problem.english();
+        const Design halves = start.with(withFollowers(start, cut.edit));
+        EXPECT_EQ(halves.count<Seam>(), start.count<Seam>() + 6);
+        ElementId seam{};
+        halves.each<Seam>([&](ElementId id, const Seam& s) {
+            const bool isNew = !start.find<Patch>(s.a.patch) || !start.find<Patch>(s.b.patch);
+            if (isNew && (s.a.patch == inner || s.b.patch == inner))
+                seam = id;
+        });
+        const Outcome merged = mergePatches(halves, seam);
+        ASSERT_TRUE(merged.problem.empty()) << merged.problem.english();
+        const Design whole = halves.with(withFollowers(halves, merged.edit));
+        EXPECT_EQ(whole.count<Patch>(), start.count<Patch>());
+        EXPECT_EQ(whole.count<Seam>(), start.count<Seam>());
+        EXPECT_EQ(whole.count<FixationSeam>(), start.count<FixationSeam>());
+        EXPECT_EQ(whole.count<HandleCurve>(), start.count<HandleCurve>());
+        start.each<Seam>([&](ElementId, const Seam& s) {
+            EXPECT_EQ(std::ssize(seamsOf(whole, s.a.patch, s.b.patch)), 1)
+                << number(s.a.patch) << " and " << number(s.b.patch);
+        });
     }
 }
 

@@ -147,7 +147,9 @@ private:
         if constexpr (std::is_same_v<T, FixationSeam>)
             if (gone->hasCurve() && !m_now.element(gone->curve)) // the removal of a curve unlinks, no more
                 return;
-        if (const ElementId other = m_old.counterpart(*gone).id; other != noElement && m_now.element(other))
+        // What the edit has made of the other one itself stays: two that were merged there may be one in its place.
+        const ElementId other = m_old.counterpart(*gone).id;
+        if (other != noElement && m_now.element(other) && m_now.element(other) == m_before.element(other))
             m_builder.remove(other);
     }
 

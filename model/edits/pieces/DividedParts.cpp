@@ -11,7 +11,7 @@ namespace bolster::edits {
 namespace {
 
 constexpr double meetingDistance = 0.01; // mm
-constexpr double equalShares = 1e-6;
+constexpr double equalShares = 1e-4; // lengths are sums
 
 /// A range of parameters that two others make up, the second one behind the first; nothing when they don't meet.
 template <int Dim>
