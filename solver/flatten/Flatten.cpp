@@ -31,6 +31,7 @@ struct Facet {
     std::array<int, 3> corners{};
     Mat23 gradient; ///< of the three hat functions, 1/mm
     double area = 0;
+    Vec3 x = Vec3::Zero(), y = Vec3::Zero(); ///< of that plane
 };
 
 /// One that is as good as its longest edge is taken as a little higher: how it lies says nothing, and its weights
@@ -42,7 +43,7 @@ Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, c
     const std::size_t base = edge(0).norm() >= edge(1).norm() ? (edge(0).norm() >= edge(2).norm() ? 0 : 2)
                                                               : (edge(1).norm() >= edge(2).norm() ? 1 : 2);
     const double longest = edge(base).norm();
-    Facet facet{corners, Mat23::Zero(), 0};
+    Facet facet{corners, Mat23::Zero()};
     if (!(longest > 0))
         return facet;
     const Vec3 x = edge(base) / longest, way = places[(base + 2) % 3] - places[base];
@@ -52,6 +53,8 @@ Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, c
     at[(base + 1) % 3] = Vec2(longest, 0);
     at[(base + 2) % 3] = Vec2(along, height);
     facet.area = longest * height / 2;
+    facet.x = x;
+    facet.y = (way - along * x).normalized();
     for (int k = 0; k < 3; ++k) {
         const Vec2 opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
         facet.gradient.col(k) = Vec2(-opposite.y(), opposite.x()) / (2 * facet.area);
@@ -329,9 +332,8 @@ private:
         const auto inPlane = [&](const Vec3& direction) {
             Vec2 sum = Vec2::Zero();
             for (const Facet& facet : m_facets) {
-                const Vec3 &a = point(facet.corners[0]), &b = point(facet.corners[1]), &c = point(facet.corners[2]);
-                const Vec3 x = (b - a).normalized(), y = (b - a).cross(c - a).normalized().cross(x);
-                sum += facet.area * (nearestRotation(jacobian(facet)) * Vec2(direction.dot(x), direction.dot(y)));
+                const Vec2 here(direction.dot(facet.x), direction.dot(facet.y));
+                sum += facet.area * (nearestRotation(jacobian(facet)) * here);
             }
             return sum;
         };

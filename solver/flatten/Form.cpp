@@ -20,8 +20,11 @@ namespace {
 using Corners = std::array<int, 3>;
 using Edge = std::pair<int, int>; // of points, the lesser one first
 
-constexpr int samplesOfSpan = 8;  // of a curve
-constexpr int mostCutsOpen = 200; // of rings; more holes than that nobody wants to sew up
+constexpr int samplesOfSpan = 8;   // of a curve
+constexpr double leastPiece = 25;  // mm^2: what lines cut off besides is no piece
+constexpr double leastWidth = 0.5; // mm
+constexpr int mostDissolving = 50; // rounds
+constexpr int mostCutsOpen = 200;  // of rings; more holes than that nobody wants to sew up
 
 /// Each place once; triangles with an area, and the part that each belongs to.
 struct Welded {
@@ -86,6 +89,11 @@ public:
         orient();
         cutLines();
         findCuts();
+        for (int round = 0; round < mostDissolving && !m_stop.stop_requested() && m_form.problem.empty(); ++round) {
+            fallApart();
+            if (!dissolveSplinters())
+                break;
+        }
         for (int round = 0; !m_stop.stop_requested() && m_form.problem.empty(); ++round) {
             fallApart();
             if (!m_form.problem.empty() || !cutRingsOpen(round))
@@ -163,6 +171,7 @@ private:
         m_welded.triangles = std::move(lined.triangles);
         m_welded.part = std::move(lined.part);
         m_cut = std::move(lined.cuts);
+        m_lineCuts = m_cut;
         std::ranges::move(lined.notes, std::back_inserter(m_form.notes));
     }
 
@@ -305,6 +314,50 @@ private:
         }
     }
 
+    bool isSplinter(const FormPiece& piece) const
+    {
+        double area = 0, length = 0;
+        const auto at = [&](int vertex) { return m_welded.points[piece.points[vertex]]; };
+        for (const Corners& t : piece.triangles)
+            area += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() / 2;
+        for (std::size_t k = 0; k < piece.border.size(); ++k)
+            length += (at(piece.border[piece.after(k)]) - at(piece.border[k])).norm();
+        return area < std::max(leastPiece, leastWidth / 2 * length);
+    }
+
+    /// Splinters between a line and a border, or two lines, go to the neighbour that they have most in common with.
+    /// Whether there were such, so that the form falls apart anew.
+    bool dissolveSplinters()
+    {
+        if (m_lineCuts.empty())
+            return false;
+        std::set<std::size_t> changed;
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
+            const FormPiece& piece = m_form.pieces[p];
+            if (changed.contains(p) || !isSplinter(piece))
+                continue;
+            std::map<int, std::pair<double, std::vector<Edge>>> beside; // by piece: the length, and the edges
+            for (std::size_t k = 0; k < piece.border.size(); ++k) {
+                const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
+                const Edge edge{std::min(a, b), std::max(a, b)};
+                if (piece.mates[k].none() || !m_lineCuts.contains(edge))
+                    continue;
+                auto& [length, edges] = beside[piece.mates[k].piece];
+                length += (m_welded.points[a] - m_welded.points[b]).norm();
+                edges.push_back(edge);
+            }
+            beside.erase(static_cast<int>(p));
+            const auto most =
+                std::ranges::max_element(beside, {}, [](const auto& neighbour) { return neighbour.second.first; });
+            if (most == beside.end())
+                continue;
+            for (const Edge& edge : most->second.second)
+                m_cut.erase(edge);
+            changed.insert({p, static_cast<std::size_t>(most->first)});
+        }
+        return !changed.empty();
+    }
+
     /// Whether something was cut, so that the form falls apart anew.
     bool cutRingsOpen(int round)
     {
@@ -413,7 +466,7 @@ private:
     std::stop_token m_stop;
     FormDraft* m_draft;
     std::vector<HalfEdge> m_halves;
-    std::set<Edge> m_cut;
+    std::set<Edge> m_cut, m_lineCuts;
     std::vector<int> m_pieceOf;                         // of each triangle
     std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
     std::vector<int> m_parts;                           // of each piece

@@ -330,9 +330,46 @@ private:
         return {near, (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized(), (at - near).norm()};
     }
 
-    /// On to a border or another line that is near.
+    /// Whether a place lies beside the form, outside of its border.
+    bool isBeyond(const Vec3& at) const
+    {
+        constexpr double beside = 0.05, same = 1e-6; // mm
+        const auto [near, face] = m_tree.closest_point_and_primitive(toCgal(at));
+        if ((fromCgal(near) - at).norm() < beside)
+            return false;
+        for (const auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(face))) {
+            const Kernel::Point_3 &a = m_form.mesh.point(m_form.mesh.source(half)),
+                                  &b = m_form.mesh.point(m_form.mesh.target(half));
+            const bool isAtCorner =
+                m_form.mesh.is_border(m_form.mesh.target(half)) && CGAL::squared_distance(near, b) < same * same;
+            const bool isOnEdge = m_form.mesh.is_border(m_form.mesh.edge(half)) &&
+                                  CGAL::squared_distance(near, Kernel::Segment_3(a, b)) < same * same;
+            if (isAtCorner || isOnEdge)
+                return true;
+        }
+        return false;
+    }
+
+    /// What runs on outside would be pulled back to the border, and cut along it. One place stays outside at each
+    /// end that goes there; whether they do.
+    std::pair<bool, bool> trim(std::vector<Vec3>& places, const FormLine& line) const
+    {
+        if (line.closed)
+            return {false, false};
+        const auto isInside = [&](const Vec3& at) { return !isBeyond(at); };
+        const auto first = std::ranges::find_if(places, isInside);
+        if (first == places.end())
+            return {false, false};
+        const auto last = std::find_if(places.rbegin(), places.rend(), isInside).base(); // behind the last one
+        const bool starts = first != places.begin(), ends = last != places.end();
+        places = std::vector<Vec3>(first - static_cast<int>(starts), last + static_cast<int>(ends));
+        return {starts, ends};
+    }
+
+    /// On to a border or another line that is near, where it is not outside of the border.
     void prolong(std::vector<Vec3>& places, const FormLine& line, const std::vector<FormLine>& all) const
     {
+        const auto [starts, ends] = trim(places, line);
         if (line.closed || places.size() < 2)
             return;
         const auto missing = [&](const Vec3& end) {
@@ -348,8 +385,10 @@ private:
             return nearest < reach ? nearest + overshoot : overshoot;
         };
         const Vec3 first = places.front() - places[1], last = places.back() - places[places.size() - 2];
-        places.insert(places.begin(), places.front() + missing(places.front()) * first.normalized());
-        places.push_back(places.back() + missing(places.back()) * last.normalized());
+        if (!starts)
+            places.insert(places.begin(), places.front() + missing(places.front()) * first.normalized());
+        if (!ends)
+            places.push_back(places.back() + missing(places.back()) * last.normalized());
     }
 
     CgalMesh ribbonAlong(const FormLine& line, const std::vector<FormLine>& all) const

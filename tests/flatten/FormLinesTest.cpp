@@ -142,6 +142,99 @@ TEST(FormLines, NeedAFormThatIsASurface)
     EXPECT_TRUE(form.pieces.empty());
 }
 
+/// A gentle sheet of 500 x 500 mm in squares of 12.5 mm.
+double onSheet(double x, double y)
+{
+    return 40 * std::sin(x / 130) * std::cos(y / 140);
+}
+
+TriangleMesh sheet()
+{
+    constexpr std::uint32_t count = 40;
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i <= count; ++i)
+        for (std::uint32_t j = 0; j <= count; ++j) {
+            const double x = 12.5 * i, y = 12.5 * j;
+            mesh.points.emplace_back(x, y, onSheet(x, y));
+        }
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t j = 0; j < count; ++j) {
+            const std::uint32_t a = i * (count + 1) + j, b = a + count + 1;
+            mesh.triangles.push_back({a, b, b + 1});
+            mesh.triangles.push_back({a, b + 1, a + 1});
+        }
+    return mesh;
+}
+
+FormLine acrossSheet(double x, double from, double to, double step)
+{
+    FormLine line{"Across", {}, false};
+    const int count = static_cast<int>(std::round((to - from) / step));
+    for (int k = 0; k <= count; ++k) {
+        const double y = from + (to - from) * k / count;
+        line.points.emplace_back(x, y, onSheet(x, y));
+    }
+    return line;
+}
+
+void expectTwoHalves(const FormLine& line)
+{
+    const Form form = cutAlongLines(sheet(), {line});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 2U);
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    double area = 0;
+    for (const FlatPiece& piece : flat) {
+        EXPECT_GT(piece.area, 0.1e6);
+        EXPECT_LT(piece.strainMost, 0.05) << "at most 2 % without what lies on edges";
+        area += piece.area;
+    }
+    EXPECT_NEAR(area, 0.2575e6, 0.006e6);
+    expectSound(form);
+    formPattern(form, flat, {}).design.each<Patch>([](ElementId, const Patch& patch) {
+        EXPECT_TRUE(std::isfinite(patch.grain));
+    });
+}
+
+TEST(FormLines, MayRunAlongEdgesOfTheForm)
+{
+    for (const double step : {5.0, 10.0, 12.5, 20.0, 25.0, 50.0})
+        for (const double x : {225.0, 231.0, 231.25}) {
+            SCOPED_TRACE(std::to_string(x) + " in steps of " + std::to_string(step));
+            expectTwoHalves(acrossSheet(x, 0, 500, step));
+        }
+}
+
+TEST(FormLines, MayRunOnBeyondTheBorder)
+{
+    for (const double beyond : {0.1, 1.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 15.0, 30.0})
+        for (const double x : {225.0, 255.0}) {
+            SCOPED_TRACE(std::to_string(x) + " by " + std::to_string(beyond));
+            expectTwoHalves(acrossSheet(x, -beyond, 500 + beyond, 5));
+        }
+}
+
+TEST(FormLines, MayRingPlacesOfAForm)
+{
+    for (const int count : {8, 16, 40})
+        for (const double middle : {250.0, 243.0, 237.5}) {
+            SCOPED_TRACE(std::to_string(count) + " around " + std::to_string(middle));
+            FormLine ring{"Ring", {}, true};
+            for (int k = 0; k < count; ++k) {
+                const double angle = 2 * std::numbers::pi * k / count;
+                const double x = middle + 100 * std::cos(angle), y = middle + 100 * std::sin(angle);
+                ring.points.emplace_back(x, y, onSheet(x, y));
+            }
+            const Form form = cutAlongLines(sheet(), {ring});
+            ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+            ASSERT_EQ(form.pieces.size(), 2U);
+            for (const FlatPiece& piece : flatten(form, {})) {
+                EXPECT_GT(piece.area, 0.02e6);
+                EXPECT_LT(piece.turnedShare, 0.003);
+            }
+        }
+}
+
 TEST(FormLines, FarFromTheFormChangeNothing)
 {
     FormLine far = upright(1);
