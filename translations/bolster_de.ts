@@ -9547,6 +9547,10 @@
         <source>&amp;Stop</source>
         <translation>&amp;Anhalten</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>Die Form wird als %1 groß genommen. Wenn das falsch ist, importieren Sie die Datei als Gestell.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9847,12 +9851,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Entfernt, weil nicht mehr sinnvoll: %1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>Mit dieser Änderung ist auch entfallen: %1</translation>
     </message>
 </context>
 <context>
@@ -10551,6 +10555,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>Wo Fixierkurven liegen: auf ihren Gestellen, oder im Raum, wo keines ist</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>%1 von der Form (rms), zuerst auf wenigen Dreiecken</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10692,8 +10700,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>Es ist alles in Ordnung.</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>Alle Elemente sind verwendbar. Wie es um den Bezug steht, sagt die Zeile unten.</translation>
     </message>
 </context>
 <context>

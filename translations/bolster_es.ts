@@ -9547,6 +9547,10 @@
         <source>&amp;Stop</source>
         <translation>&amp;Detener</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>La forma se toma con un tamaño de %1. Si no es correcto, importe el archivo como armazón.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9847,12 +9851,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Eliminado, porque ya no tiene sentido: %1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>Este cambio también ha quitado: %1</translation>
     </message>
 </context>
 <context>
@@ -10551,6 +10555,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>Dónde están las curvas de fijación: sobre sus armazones o en el espacio donde no hay ninguno</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>%1 de la forma (rms), primero con pocos triángulos</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10692,8 +10700,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>No hay ningún problema.</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>Todos los elementos se pueden usar. La línea de abajo dice cómo está la funda.</translation>
     </message>
 </context>
 <context>

@@ -9547,6 +9547,10 @@
         <source>&amp;Stop</source>
         <translation>&amp;Arrêter</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>La forme est prise avec une taille de %1. Si c’est faux, importez le fichier comme armature.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9847,12 +9851,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Supprimés, car ils n’ont plus de sens&#x202f;: %1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>Cette modification a aussi retiré&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -10551,6 +10555,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>Où se trouvent les courbes de fixation&#x202f;: sur leurs armatures, ou dans l’espace s’il n’y en a pas</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>%1 de la forme (rms), d’abord sur peu de triangles</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10692,8 +10700,8 @@
         <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>Aucun problème.</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>Tous les éléments sont utilisables. La ligne du bas dit où en est la housse.</translation>
     </message>
 </context>
 <context>

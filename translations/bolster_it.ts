@@ -9547,6 +9547,10 @@
         <source>&amp;Stop</source>
         <translation>&amp;Interrompi</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>La forma è presa con una dimensione di %1. Se non è giusto, importi il file come telaio.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9847,12 +9851,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Rimossi perché non hanno più senso: %1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Annulla</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>Questa modifica ha tolto anche: %1</translation>
     </message>
 </context>
 <context>
@@ -10551,6 +10555,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>Dove si trovano le curve di fissaggio: sui loro telai, o nello spazio dove non ce n’è</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>%1 dalla forma (rms), prima su pochi triangoli</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10692,8 +10700,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>Nessun problema.</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>Tutti gli elementi sono utilizzabili. La riga in basso dice com’è il rivestimento.</translation>
     </message>
 </context>
 <context>

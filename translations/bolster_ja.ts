@@ -9523,6 +9523,10 @@
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>形状の大きさを %1 とみなします。違う場合は、ファイルをフレームとして読み込んでください。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9818,12 +9822,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>意味がなくなったため削除: %1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>この変更により次のものもなくなりました: %1</translation>
     </message>
 </context>
 <context>
@@ -10521,6 +10525,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>固定曲線の位置：フレームの上、フレームがなければ空間内</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>形状から %1（rms）、まず少ない三角形で</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10661,8 +10669,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>問題はありません。</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>すべての要素を使用できます。カバーの状態は下の行に表示されます。</translation>
     </message>
 </context>
 <context>

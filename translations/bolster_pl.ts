@@ -9571,6 +9571,10 @@
         <source>&amp;Stop</source>
         <translation>Za&amp;trzymaj</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>Przyjęto, że forma ma wymiary %1. Jeśli to błąd, proszę zaimportować plik jako stelaż.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9876,12 +9880,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>Usunięto, bo nie ma już sensu: %1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Cofnij</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>Ta zmiana usunęła także: %1</translation>
     </message>
 </context>
 <context>
@@ -10581,6 +10585,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>Gdzie leżą krzywe mocowania: na stelażach albo w przestrzeni, jeśli stelaża nie ma</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>%1 od formy (rms), najpierw na niewielu trójkątach</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10723,8 +10731,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>Wszystko w porządku.</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>Wszystkich elementów można użyć. O stanie pokrowca mówi wiersz na dole.</translation>
     </message>
 </context>
 <context>

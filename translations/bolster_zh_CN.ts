@@ -9523,6 +9523,10 @@
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
     </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>形状按 %1 的大小处理。如果不对，请将文件作为骨架导入。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -9818,12 +9822,12 @@
         <translation>x %1   y %2   z %3</translation>
     </message>
     <message>
-        <source>Removed, because they make no sense any more: %1</source>
-        <translation>因不再有意义而删除：%1</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>This change has taken away as well: %1</source>
+        <translation>此更改还去掉了：%1</translation>
     </message>
 </context>
 <context>
@@ -10521,6 +10525,10 @@
         <source>Where fixation curves lie: on their frames, or in space where there is none</source>
         <translation>固定曲线的位置：在骨架上，没有骨架时在空间中</translation>
     </message>
+    <message>
+        <source>%1 from the form (rms), on few triangles at first</source>
+        <translation>距形状 %1（rms），先用较少的三角形</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10661,8 +10669,8 @@
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Nothing is wrong.</source>
-        <translation>没有问题。</translation>
+        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
+        <translation>所有元素都可以使用。面套的状态见底部的状态行。</translation>
     </message>
 </context>
 <context>

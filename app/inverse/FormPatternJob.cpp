@@ -1,9 +1,33 @@
 #include "FormPatternJob.h"
 
+#include "FileGuess.h"
 #include "MeshImport.h"
 #include "SolveFailure.h"
 
+#include <QFileInfo>
+
 namespace bolster {
+
+namespace {
+
+/// In mm and upright, as the import of frames proposes it.
+std::shared_ptr<const TriangleMesh> asFurniture(const ImportedMesh& read, const QString& file)
+{
+    const QString ending = QFileInfo(file).suffix();
+    const Box3 box = read.mesh->boundingBox();
+    const FileUnit unit =
+        read.said.millimetresPerUnit ? FileUnit::Custom : unitOf(ending).value_or(guessUnit(box, largestFurniture));
+    Placement placement;
+    placement.scale =
+        unit == FileUnit::Custom ? read.said.millimetresPerUnit.value_or(guessFactor(box)) : millimetresPer(unit);
+    placement.rotation = rotationFor(read.said.up.value_or(guessUpAxis(ending)));
+    auto placed = std::make_shared<TriangleMesh>(*read.mesh);
+    for (Vec3& point : placed->points)
+        point = placement.placed(point);
+    return placed;
+}
+
+} // namespace
 
 FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::stop_token& stop)
 {
@@ -15,7 +39,9 @@ FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::st
         if (!mesh) {
             const ImportedMesh read = importMesh(wanted.file, {stop, {}, {}});
             made.problem = read.problem;
-            mesh = read.mesh;
+            mesh = read.mesh ? asFurniture(read, wanted.file) : nullptr;
+            if (mesh)
+                made.size = mesh->boundingBox().sizes();
         }
         if (!mesh)
             return made;

@@ -13,7 +13,7 @@ namespace bolster {
 struct FormWanted {
     int number = 0;
     std::shared_ptr<const TriangleMesh> mesh; ///< mm; null: that of the file
-    QString file;                             ///< mm
+    QString file;                             ///< its unit and axes are guessed where it does not say them
     FormCuts cuts;
     FormPatternOrder order;
     bool draft = false; ///< something moves: nearly right, soon
@@ -23,6 +23,7 @@ struct FormMade {
     int number = 0;
     bool draft = false;
     Message problem;
+    std::optional<Vec3> size; ///< mm, of the form of a file
     Form form;
     std::vector<FlatPiece> flat;
     FormPattern pattern;

@@ -121,21 +121,24 @@ void FormPatternWindow::build()
     m_make = buttons->addButton(tr("&Make the pattern"), QDialogButtonBox::AcceptRole);
     m_make->setDefault(true);
     connect(m_make, &QPushButton::clicked, this, &FormPatternWindow::make);
-    m_stop = buttons->addButton(tr("&Stop"), QDialogButtonBox::ActionRole);
+    m_stop = new QPushButton(tr("&Stop"), this); // not among the others, which would move under the pointer
     m_stop->setAutoDefault(false);
-    m_stop->hide();
     connect(m_stop, &QPushButton::clicked, this, &FormPatternWindow::stop);
     m_busy = new QProgressBar(this);
     m_busy->setRange(0, 0);
     m_busy->setAccessibleName(tr("Laying a form flat \u2026"));
-    QSizePolicy keeps = m_busy->sizePolicy();
-    keeps.setRetainSizeWhenHidden(true);
-    m_busy->setSizePolicy(keeps);
-    m_busy->hide();
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    for (QWidget* part : {static_cast<QWidget*>(m_busy), static_cast<QWidget*>(m_stop)}) {
+        QSizePolicy keeps = part->sizePolicy();
+        keeps.setRetainSizeWhenHidden(true);
+        part->setSizePolicy(keeps);
+        part->hide();
+    }
+    auto* progress = new QHBoxLayout;
+    progress->addWidget(m_busy, 1);
+    progress->addWidget(m_stop);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter, 1);
-    layout->addWidget(m_busy);
+    layout->addLayout(progress);
     layout->addWidget(buttons);
     resize(760, 500);
     if (const QWidget* window = parentWidget()) // over the pattern: lines are drawn in the 3D view
@@ -377,6 +380,9 @@ void FormPatternWindow::say()
         return;
     }
     QStringList lines;
+    if (m_made->size)
+        lines << tr("The form is taken as %1 large. If that is wrong, import the file as a frame.")
+                     .arg(sizesText({m_made->size->x(), m_made->size->y(), m_made->size->z()}, 0));
     double most = 0, widest = 0;
     std::string where;
     int over = 0;

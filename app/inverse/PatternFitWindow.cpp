@@ -378,7 +378,10 @@ void PatternFitWindow::showProgress(double share, const FitRound& round)
     m_reached.result.values = round.values;
     m_reached.result.before = round.before;
     m_reached.result.after = round.figures;
-    if (m_lies->isChecked())
+    if (m_lies->isChecked() && round.few)
+        m_said->setText(
+            tr("%1 from the form (rms), on few triangles at first").arg(lengthText(round.figures.distanceRms, 2)));
+    else if (m_lies->isChecked())
         m_said->setText(tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2)));
     else if (m_strained->isChecked())
         m_said->setText(tr("%1 of the cover is over the limit").arg(percentText(round.figures.overLimit)));
@@ -408,7 +411,8 @@ void PatternFitWindow::show(FitFound found, const QString& lead)
         lines << tr("From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
                      .arg(lengthText(result.before.distanceRms, 2), lengthText(result.after.distanceRms, 2),
                           lengthText(result.before.distanceP95, 2), lengthText(result.after.distanceP95, 2));
-    if (m_strained->isChecked())
+    constexpr double notable = 0.005; // of the cover
+    if (m_strained->isChecked() || result.after.overLimit > result.before.overLimit + notable)
         lines << tr("Over the limit: %1 of the cover before, %2 now")
                      .arg(percentText(result.before.overLimit), percentText(result.after.overLimit));
     if (m_smooth->isChecked())

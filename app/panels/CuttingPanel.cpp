@@ -2,6 +2,7 @@
 
 #include "CutLabelWords.h"
 #include "Document.h"
+#include "Units.h"
 
 #include <QPainter>
 
@@ -27,11 +28,13 @@ CuttingPanel::CuttingPanel(const Document& document, QWidget* parent)
     setFrameShape(NoFrame);
     setSpacing(2);
     setToolTip(tr("A double click shows where it is."));
-    connect(&document, &Document::changed, this, [this] {
+    const auto lookAgain = [this] {
         m_known = false;
         if (isVisible())
             look();
-    });
+    };
+    connect(&document, &Document::changed, this, lookAgain);
+    connect(&NumberStyles::instance(), &NumberStyles::changed, this, lookAgain); // findings tell lengths
 }
 
 void CuttingPanel::look()

@@ -69,7 +69,7 @@ void ProblemsView::paintEvent(QPaintEvent* event)
     QPainter painter(viewport());
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
-                     tr("Nothing is wrong."));
+                     tr("All elements can be used. How the cover is, the line at the bottom says."));
 }
 
 QString ProblemsView::currentKey() const

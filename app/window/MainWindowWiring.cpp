@@ -245,14 +245,14 @@ void MainWindow::tellDropped(const Design& before, const std::vector<ElementId>&
     QStringList names;
     for (const ElementId id : std::span(ids).first(std::min(mostNamed, ids.size()))) {
         const QString name = displayName(before, id);
-        names += name.size() > longestName ? name.left(longestName) + QStringLiteral("\u2026") : name;
+        names += isolated(name.size() > longestName ? name.left(longestName) + QStringLiteral("\u2026") : name);
     }
     if (ids.size() > mostNamed)
         names += countedText(before, std::span(ids).subspan(mostNamed));
-    m_toldDropped = m_banner->announce(
-        Banner::Kind::Information,
-        tr("Removed, because they make no sense any more: %1").arg(QLocale().createSeparatedList(names)),
-        {{tr("&Undo"), [this] { document().undo(); }}});
+    m_toldDropped =
+        m_banner->announce(Banner::Kind::Information,
+                           tr("This change has taken away as well: %1").arg(QLocale().createSeparatedList(names)),
+                           {{tr("&Undo"), [this] { document().undo(); }}});
 }
 
 void MainWindow::connectSolver()

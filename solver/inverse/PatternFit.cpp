@@ -250,8 +250,9 @@ private:
 
     void report(const WarmCover& cover, double edge, double share)
     {
-        m_result.rounds.push_back({edge, m_rows.figures(cover, m_result.design), m_result.before,
-                                   largestChange(m_order.freedoms, m_result.values), m_result.values});
+        m_result.rounds.push_back({edge, m_stage < m_stages - 2, m_rows.figures(cover, m_result.design),
+                                   m_result.before, largestChange(m_order.freedoms, m_result.values),
+                                   m_result.values});
         tell(share);
     }
 

@@ -24,6 +24,7 @@ struct FitOrder {
 /// What was reached: for progress, for reports, and for who stops and keeps it.
 struct FitRound {
     double edgeLength = 0; ///< of the triangles, mm
+    bool few = false;      ///< they are larger than those at the end: figures will be others
     FitFigures figures;
     FitFigures before;        ///< of the design as it was, on the same triangles
     double largestChange = 0; ///< mm, since the beginning

@@ -102,6 +102,15 @@ PatchStrains strainsOf(const SurfaceMesh& surface, const Range& range, double gr
     return strains;
 }
 
+/// With as many digits as it takes that one is seen to be more than the other.
+std::pair<std::string, std::string> twoThatDiffer(double is, double may)
+{
+    for (int digits = 2; digits < 5; ++digits)
+        if (std::pair texts(numberText(is, digits), numberText(may, digits)); texts.first != texts.second)
+            return texts;
+    return {numberText(is, 5), numberText(may, 5)};
+}
+
 void findStrains(const SurfaceMesh& surface, const Design& design, std::vector<Finding>& found)
 {
     for (const Range& range : surface.topology->patches) {
@@ -112,15 +121,15 @@ void findStrains(const SurfaceMesh& surface, const Design& design, std::vector<F
         const StretchLimits limits = fabric ? fabric->limits : StretchLimits{};
         PatchStrains strains = strainsOf(surface, range, patch->grain * std::numbers::pi / 180, limits);
         const auto consider = [&](std::vector<Strained> all, double allowed, const char* sentence) {
-            if (const std::optional<Strained> over = worstOf(std::move(all)))
+            if (const std::optional<Strained> over = worstOf(std::move(all))) {
+                const auto [is, may] = twoThatDiffer(std::abs(over->value), allowed);
                 found.push_back({Finding::Kind::OverLimit,
                                  range.patch,
                                  Finding::Place{range.patch, over->at},
                                  std::abs(over->value),
                                  allowed,
-                                 {sentence,
-                                  {findingName(design, range.patch), numberText(std::abs(over->value), 2),
-                                   numberText(allowed, 2)}}});
+                                 {sentence, {findingName(design, range.patch), is, may}}});
+            }
         };
         consider(std::move(strains.along), limits.along,
                  QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % along the grain, its fabric may %3 %"));

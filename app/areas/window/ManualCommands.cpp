@@ -63,21 +63,29 @@ QString ManualCommands::placeOfMenu() const
     return placeNow();
 }
 
+/// Its tools stay chosen while one is in the 3D view, where these two alone do something.
+bool ManualCommands::isOfPatternAlone(const QString& tool)
+{
+    return tool != QLatin1String("tool.draw-fixation") && tool != QLatin1String("tool.measure");
+}
+
 QString ManualCommands::placeNow() const
 {
     const QWidget* focus = QApplication::focusWidget();
     // Nobody types into the state line: who points at its sentence asks for that.
     const QWidget* pointedAt = QApplication::widgetAt(QCursor::pos());
     if (const auto* line = m_window.findChild<StatusLine*>())
-        if ((focus && line->isAncestorOf(focus)) || (pointedAt && line->isAncestorOf(pointedAt)))
-            if (const QString place = m_places.ofMessage(line->solverKey()); !place.isEmpty())
-                return place;
+        if ((focus && line->isAncestorOf(focus)) || (pointedAt && line->isAncestorOf(pointedAt))) {
+            const QString place = m_places.ofMessage(line->solverKey());
+            return place.isEmpty() ? m_places.ofWidget(line) : place;
+        }
     if (const auto* problems = qobject_cast<const ProblemsView*>(focus))
         if (const QString place = m_places.ofMessage(problems->currentKey()); !place.isEmpty())
             return place;
-    if (qobject_cast<const PatternView*>(focus) || qobject_cast<const CoverView*>(focus))
+    const bool inCover = qobject_cast<const CoverView*>(focus);
+    if (inCover || qobject_cast<const PatternView*>(focus))
         for (const QAction* tool : m_commands.startingWith("tool."))
-            if (tool->isChecked())
+            if (tool->isChecked() && !(inCover && isOfPatternAlone(tool->objectName())))
                 if (const QString place = m_places.ofCommand(tool->objectName()); !place.isEmpty())
                     return place;
     for (const QWidget* part = focus; part; part = part->parentWidget())

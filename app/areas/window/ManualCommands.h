@@ -29,6 +29,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    static bool isOfPatternAlone(const QString& tool);
     QString placeOfMenu() const;
     void open(const QString& place);
 

@@ -4,7 +4,9 @@
 #include "Docks.h"
 #include "Inspector.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 
 namespace bolster {
 
@@ -15,6 +17,10 @@ WindowCommands::WindowCommands(Commands& commands, Docks& docks, Inspector& insp
     for (QDockWidget* dock : docks.all()) {
         const QByteArray name = dock->objectName().toLatin1();
         commands.adopt(*dock->toggleViewAction(), "window.show-" + name, "show-" + name, "window/1");
+        QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+            if (shown)
+                dock->raise(); // it may lie behind another one
+        });
     }
     commands.add({{.id = "window.next-part",
                    .formerly = "next-part-of-the-window",

@@ -198,26 +198,28 @@ void readFreedoms(const Arguments& arguments, const OpenedDesign& opened, Asked&
             if (!asked.held.contains(freedom.element))
                 asked.order.freedoms.push_back(std::move(freedom));
     };
-    for (const std::string& word : wordsOf(text, "--freedom")) {
-        if (word == "outlines")
-            add(outlineFreedoms(design));
-        else if (word == "foam")
-            add(foamFreedoms(design));
-        else if (word == "fixations")
-            add(fixationFreedoms(design, opened.files));
-        else if (word == "pressure")
-            add(pressureFreedoms(design));
-        else if (word == "stretch")
-            add(stretchFreedoms(design));
-        else if (word == "seams")
-            add(seamEndFreedoms(design));
-        else if (word == "ease")
-            asked.order.locks.ease = false;
-        else
+    const std::vector<std::string> words = wordsOf(text, "--freedom");
+    // Each once, and always in the same order: how they are written must not matter.
+    const auto takes = [&](const char* word) { return std::ranges::find(words, word) != words.end(); };
+    if (takes("outlines"))
+        add(outlineFreedoms(design));
+    if (takes("foam"))
+        add(foamFreedoms(design));
+    if (takes("fixations"))
+        add(fixationFreedoms(design, opened.files));
+    if (takes("pressure"))
+        add(pressureFreedoms(design));
+    if (takes("stretch"))
+        add(stretchFreedoms(design));
+    if (takes("seams"))
+        add(seamEndFreedoms(design));
+    asked.order.locks.ease = !takes("ease");
+    constexpr std::array known{"outlines", "seams", "ease", "foam", "fixations", "pressure", "stretch"};
+    for (const std::string& word : words)
+        if (std::ranges::find(known, word) == known.end())
             throw UsageError(
                 "--freedom knows outlines, seams, ease, foam, fixations, pressure and stretch, not \"" + word +
                 "\"");
-    }
     if (asked.order.freedoms.empty() && !asked.order.locks.ease)
         throw UsageError("--freedom ease: sides of seams come to differ when outlines may change, too: "
                          "--freedom outlines,ease");

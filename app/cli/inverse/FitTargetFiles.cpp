@@ -31,7 +31,10 @@ FitTarget targetIn(const QString& path, const Arguments& arguments, const std::s
     if (read.mesh && !read.mesh->triangles.empty()) {
         TriangleMesh mesh = *read.mesh;
         mesh.points = upright(std::move(mesh.points));
-        return targetOf(mesh);
+        FitTarget target = targetOf(mesh);
+        if (target.empty())
+            throw UsageError(path.toStdString() + ": it has no triangle with an area");
+        return target;
     }
     const ImportedCloud cloud = importCloud(path, {stop, {}, {}});
     if (!cloud.cloud)
