@@ -5936,6 +5936,10 @@
         <source>one version was saved</source>
         <translation>Eine Version wurde gerettet</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>Von %1 wäre jenseits des Schnitts weniger als eine Netzkante geblieben: Sie endet jetzt dort.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10488,7 +10492,7 @@
         <translation>Anteil der Fläche</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>Ausgewählte Schnittteile &amp;behalten von ihrer Fläche</translation>
     </message>
     <message>

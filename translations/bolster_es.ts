@@ -5936,6 +5936,10 @@
         <source>one version was saved</source>
         <translation>Se recuperó una versión</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>De %1 quedaba menos de una arista de la malla más allá del corte: ahora termina ahí.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10488,7 +10492,7 @@
         <translation>Proporción del área</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>Área que conser&amp;van las piezas seleccionadas</translation>
     </message>
     <message>

@@ -5936,6 +5936,10 @@
         <source>one version was saved</source>
         <translation>Une version a été récupérée</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>De %1 il restait moins d’une arête du maillage au-delà de la coupe&#x202f;: elle s’y termine maintenant.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10488,7 +10492,7 @@
         <translation>Part de l’aire</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>Aire que gardent les pièces &amp;sélectionnées</translation>
     </message>
     <message>

@@ -5936,6 +5936,10 @@
         <source>one version was saved</source>
         <translation>È stata recuperata una versione</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>Di %1 restava meno di uno spigolo della maglia oltre il taglio: ora finisce lì.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10488,7 +10492,7 @@
         <translation>Quota dell’area</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>Area mantenuta dai pe&amp;zzi selezionati</translation>
     </message>
     <message>

@@ -5932,6 +5932,10 @@
         <source>one version was saved</source>
         <translation>1 個のバージョンを復旧しました</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>%1 は切断線の先にメッシュの辺より短い部分しか残らないため、切断線で終わるようにしました。</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10458,7 +10462,7 @@
         <translation>面積の割合</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>選択したパーツの面積の割合(&amp;K)</translation>
     </message>
     <message>

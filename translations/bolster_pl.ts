@@ -5940,6 +5940,10 @@
         <source>one version was saved</source>
         <translation>Odzyskano jedną wersję</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>Za cięciem z %1 zostałoby mniej niż krawędź siatki: teraz kończy się na cięciu.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10518,7 +10522,7 @@
         <translation>Udział powierzchni</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>Powierzchnia zaznaczonych elementów &amp;wynosi</translation>
     </message>
     <message>

@@ -5932,6 +5932,10 @@
         <source>one version was saved</source>
         <translation>已恢复一个版本</translation>
     </message>
+    <message>
+        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
+        <translation>%1 在切口另一侧剩下的长度小于网格边长：现在在切口处结束。</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10458,7 +10462,7 @@
         <translation>面积比例</translation>
     </message>
     <message>
-        <source>Selected patches &amp;keep of their area</source>
+        <source>Area of selected patches &amp;becomes</source>
         <translation>所选样片保留面积(&amp;K)</translation>
     </message>
     <message>

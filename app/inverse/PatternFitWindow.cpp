@@ -180,7 +180,7 @@ void PatternFitWindow::addSelectedGoals(QVBoxLayout& rows, QWidget& box)
     m_size = new NumberBox({tr(" %"), 1, 10, 1000, 1}, &box);
     m_size->setAccessibleName(tr("Share of the area"));
     m_size->display(95);
-    m_sized = add(tr("Selected patches &keep of their area"), tr("Less than 100 %: they become smaller"), m_size);
+    m_sized = add(tr("Area of selected patches &becomes"), tr("Less than 100 %: they become smaller"), m_size);
 }
 
 QWidget* PatternFitWindow::buildFreedoms()

@@ -125,7 +125,7 @@ TEST(Growth, PatchesWithManyHandlesAreMerged)
         const Design design = withHandles(count);
         return design.with(edits::splitPatch(design, ElementId{2}, {{-10, 50}, {count + 11.0, 50}}).edit);
     };
-    EXPECT_LT(growth(200, make,
+    EXPECT_LT(growth(80, make,
                      [](const Design& design) {
                          ElementId seam{};
                          design.each<Seam>([&](ElementId id, const Seam&) { seam = id; });

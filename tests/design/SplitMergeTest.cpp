@@ -163,6 +163,22 @@ TEST_F(SplitMerge, DividesFixationsAndHandles)
     EXPECT_LT((handles[seat]->target.points().front() - Vec3(200, 300, 40)).norm(), 1e-6);
 }
 
+TEST_F(SplitMerge, StubsOfHandlesThatAreTooShortGo)
+{
+    const Outcome outcome = split({{113, 0}, {113, 500}}); // at x = 103 of the seat: 3 mm beyond its start
+    const Design after = done(design, outcome);
+    EXPECT_EQ(after.count<HandleCurve>(), 1);
+    const auto* handle = after.find<HandleCurve>(lumbar);
+    ASSERT_TRUE(handle);
+    EXPECT_EQ(handle->patch, seat);
+    EXPECT_NEAR(handle->curve.points().front().x(), 103, 1e-6);
+    EXPECT_NEAR(handle->target.points().front().x(), 103, 1e-6);
+    EXPECT_EQ(handle->name, "Lumbar");
+    EXPECT_EQ(outcome.edit.note.english(),
+              "Less than a mesh edge was left of Lumbar beyond the cut: it ends there now.");
+    EXPECT_TRUE(outcome.dropped.empty());
+}
+
 TEST_F(SplitMerge, SplitsAlongBentLinesAndFromCornerToCorner)
 {
     const Design bent = done(design, split({{10, 220}, {250, 300}, {510, 220}}));

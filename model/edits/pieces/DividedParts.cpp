@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace bolster::edits {
 
 namespace {
 
 constexpr double meetingDistance = 0.01; // mm
-constexpr double equalShares = 1e-4; // lengths are sums
+constexpr double equalShares = 1e-4;     // lengths are sums
 
 /// A range of parameters that two others make up, the second one behind the first; nothing when they don't meet.
 template <int Dim>
@@ -120,17 +121,12 @@ public:
                     .push_back({id, value.curve.points().front(), value.curve.points().back()});
         });
         Pairs pairs;
-        for (const Drawn& a : here)
-            for (const Drawn& b : there) {
-                if constexpr (std::is_same_v<T, HandleCurve>) {
-                    if (meet(a.last, b.first))
-                        pairs.emplace_back(a.id, b.id);
-                    if (meet(b.last, a.first))
-                        pairs.emplace_back(b.id, a.id);
-                } else if (meet(a.first, b.first)) {
-                    pairs.emplace_back(a.id, b.id);
-                }
-            }
+        if constexpr (std::is_same_v<T, HandleCurve>) {
+            addMeeting(here, &Drawn::last, there, &Drawn::first, pairs);
+            addMeeting(there, &Drawn::last, here, &Drawn::first, pairs);
+        } else {
+            addMeeting(here, &Drawn::first, there, &Drawn::first, pairs);
+        }
         join<T>(pairs);
     }
 
@@ -143,7 +139,21 @@ private:
         Vec2 first, last;
     };
 
-    static bool meet(const Vec2& a, const Vec2& b) { return (a - b).norm() <= meetingDistance; }
+    /// Those of which one ends where the other begins. By x first: there may be thousands.
+    static void addMeeting(const std::vector<Drawn>& firsts, Vec2 Drawn::*end, const std::vector<Drawn>& seconds,
+                           Vec2 Drawn::*begin, Pairs& pairs)
+    {
+        std::multimap<double, const Drawn*> byX;
+        for (const Drawn& second : seconds)
+            byX.emplace((second.*begin).x(), &second);
+        for (const Drawn& first : firsts) {
+            const Vec2& at = first.*end;
+            const auto last = byX.upper_bound(at.x() + meetingDistance);
+            for (auto near = byX.lower_bound(at.x() - meetingDistance); near != last; ++near)
+                if ((near->second->*begin - at).norm() <= meetingDistance)
+                    pairs.emplace_back(first.id, near->second->id);
+        }
+    }
 
     /// What two become takes the place of the one with the smaller id; the other goes.
     template <class T>

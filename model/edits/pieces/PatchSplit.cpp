@@ -85,6 +85,11 @@ public:
         });
         m_builder.apply(withColourOf(m_builder.now(), m_id, m_small.id));
         outcome.edit = m_builder.result({QT_TRANSLATE_NOOP("Message", "Split %1"), {displayName(m_design, m_id)}});
+        if (!m_shortened.empty())
+            outcome.edit.note = {QT_TRANSLATE_NOOP("Message",
+                                                   "Less than a mesh edge was left of %1 beyond the cut: "
+                                                   "it ends there now."),
+                                 {displayName(m_design, m_shortened.front())}};
         return outcome;
     }
 
@@ -190,9 +195,19 @@ private:
         }
         one.patch = beginsInSmall ? m_small.id : m_id;
         two.patch = beginsInSmall ? m_id : m_small.id;
-        two.name = m_handles.free(handle.name);
+        // What is shorter than the mesh edges could not be drawn.
+        const double first = length.at(at), rest = length.total() - first, least = m_design.settings().edgeLength;
+        if (first < least || rest < least)
+            m_shortened.push_back(id);
+        if (first < least && rest >= least) {
+            m_builder.replace(id, std::move(two));
+            return;
+        }
+        if (rest >= least || first < least) { // both: it was too short before
+            two.name = m_handles.free(handle.name);
+            m_builder.add(std::move(two));
+        }
         m_builder.replace(id, std::move(one));
-        m_builder.add(std::move(two));
     }
 
     const Design& m_design;
@@ -200,6 +215,7 @@ private:
     const Patch& m_patch;
     EditBuilder m_builder;
     Names<HandleCurve> m_handles;
+    std::vector<ElementId> m_shortened; ///< handles
     Piece m_large, m_small;
     BSpline2::Box m_cut; // around the cut
 };
@@ -279,7 +295,9 @@ Outcome splitPatch(const Design& design, ElementId id, const std::vector<Vec2>& 
     if (other.edit.empty())
         return other;
     const Design now = withLinkedPieces(design, half, half.with(other.edit));
+    Message note = std::move(outcome.edit.note);
     outcome.edit = editBetween(design, now, std::move(outcome.edit.verb));
+    outcome.edit.note = std::move(note);
     outcome.dropped.insert(outcome.dropped.end(), other.dropped.begin(), other.dropped.end());
     return outcome;
 }
