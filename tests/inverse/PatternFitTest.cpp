@@ -142,8 +142,7 @@ TEST_P(PatternFitOf, StoppedIsAsItWas)
 /// On a seat steps are tried in vain, after which every worker's cover is elsewhere.
 TEST(PatternFit, OfASeatIsTheSameOnAnyNumberOfThreads)
 {
-    const OpenedDesign opened =
-        openDesign(QString::fromStdString(samplesFolder() + "/car-seat/car-seat.json"));
+    const OpenedDesign opened = openDesign(QString::fromStdString(samplesFolder() + "/car-seat/car-seat.json"));
     const SolveInput wrong{withEdgeLength({bent(opened.design, 12), opened.files}, 60).design, opened.files};
     const SolveInput right{withEdgeLength({opened.design, opened.files}, 60).design, opened.files};
     FitOrder order;
