@@ -284,7 +284,8 @@ FitOrder PatternFitWindow::order() const
     };
     add(m_outlines, outlineFreedoms(design));
     add(m_foam, foamFreedoms(design));
-    add(m_fixations, fixationFreedoms(design, m_session.files()));
+    if (m_fixations->isChecked()) // frames are large
+        add(m_fixations, fixationFreedoms(design, m_session.files()));
     add(m_pressure, pressureFreedoms(design));
     add(m_stretch, stretchFreedoms(design));
     add(m_seams, seamEndFreedoms(design));

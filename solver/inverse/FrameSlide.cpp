@@ -16,13 +16,19 @@ constexpr int samples = 32;
 
 } // namespace
 
-FrameSurface::FrameSurface(const Frame& frame, const TriangleMesh& mesh)
-    : m_triangles(mesh.triangles)
+FrameSurface::FrameSurface(const Frame& frame, const TriangleMesh& mesh, const Box3& within)
 {
     std::vector<Eigen::Vector3f> points;
     for (const Vec3& point : mesh.points) {
         m_points.push_back(frame.placed(point));
         points.push_back(m_points.back().cast<float>());
+    }
+    for (const auto& triangle : mesh.triangles) {
+        Box3 box;
+        for (const std::uint32_t corner : triangle)
+            box.extend(m_points[corner]);
+        if (box.intersects(within))
+            m_triangles.push_back(triangle);
     }
     m_tree.build(std::move(points), m_triangles);
 }

@@ -19,7 +19,8 @@ public:
         Vec3 normal = Vec3::Zero(); ///< of unit length; zero on a triangle without area
     };
 
-    FrameSurface(const Frame& frame, const TriangleMesh& mesh);
+    /// Of its triangles those that meet the box; a frame may have millions.
+    FrameSurface(const Frame& frame, const TriangleMesh& mesh, const Box3& within);
 
     /// The nearest place; nothing when none is within `reach` mm.
     std::optional<Place> nearest(const Vec3& point, double reach) const;

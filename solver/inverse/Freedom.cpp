@@ -352,10 +352,17 @@ std::vector<Freedom> fixationFreedoms(const Design& design)
 
 std::vector<Freedom> fixationFreedoms(const Design& design, const DesignFiles& files)
 {
+    constexpr double around = 100; // mm
+    Box3 near;
+    eachFreeCurve(design, [&](ElementId, const FixationCurve& curve) {
+        for (const Vec3& point : curve.curve.points())
+            near.extend(point);
+    });
+    near = Box3(near.min() - Vec3::Constant(around), near.max() + Vec3::Constant(around));
     std::vector<std::shared_ptr<const FrameSurface>> frames;
     design.each<Frame>([&](ElementId id, const Frame& frame) {
         if (const auto mesh = files.meshes.find(id); mesh != files.meshes.end() && mesh->second)
-            frames.push_back(std::make_shared<FrameSurface>(frame, *mesh->second));
+            frames.push_back(std::make_shared<FrameSurface>(frame, *mesh->second, near));
     });
     std::vector<Freedom> freedoms;
     eachFreeCurve(design, [&](ElementId id, const FixationCurve& curve) {

@@ -74,7 +74,8 @@ QString ManualCommands::placeNow() const
     const QWidget* focus = QApplication::focusWidget();
     // Nobody types into the state line: who points at its sentence asks for that.
     const QWidget* pointedAt = QApplication::widgetAt(QCursor::pos());
-    if (const auto* line = m_window.findChild<StatusLine*>())
+    const auto* line = m_window.findChild<StatusLine*>();
+    if (line && line->isActiveWindow())
         if ((focus && line->isAncestorOf(focus)) || (pointedAt && line->isAncestorOf(pointedAt))) {
             const QString place = m_places.ofMessage(line->solverKey());
             return place.isEmpty() ? m_places.ofWidget(line) : place;
