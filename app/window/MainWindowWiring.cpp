@@ -1,4 +1,5 @@
 // Who hears of what: between document, solver, views, panels and commands.
+#include "Banner.h"
 #include "CommandPalette.h"
 #include "Commands.h"
 #include "ContextMenus.h"

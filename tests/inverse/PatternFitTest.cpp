@@ -1,11 +1,11 @@
 // Patterns that follow a goal.
 #include "PatternFit.h"
+#include "WarmCover.h" // before Qt, which has a macro "slots"
 
 #include "DesignFile.h"
 #include "RestingSolve.h"
 #include "TestFreedoms.h"
 #include "TestPaths.h"
-#include "WarmCover.h"
 
 #include <gtest/gtest.h>
 
