@@ -165,7 +165,8 @@ TEST_F(PatternTest, WhatAnEditTakesAwayBesidesIsSaidUntilTheNextOne)
     EXPECT_EQ(patchCount(), 5);
     ASSERT_FALSE(design().element(add.changes.front().id));
     ASSERT_TRUE(window.banner().shown());
-    EXPECT_TRUE(window.banner().text().startsWith("This change has taken away")) << window.banner().text().toStdString();
+    EXPECT_TRUE(window.banner().text().startsWith("This change has taken away"))
+        << window.banner().text().toStdString();
     const QList<QPushButton*> buttons = window.banner().findChildren<QPushButton*>();
     ASSERT_EQ(buttons.size(), 1);
     buttons.front()->click();
