@@ -259,10 +259,7 @@ void FileImportDialog::connectFields()
 /// kind.
 void FileImportDialog::choose(const QString& file, const FileFacts& said)
 {
-    const FileUnit unit =
-        said.millimetresPerUnit
-            ? unitOf(*said.millimetresPerUnit)
-            : unitOf(QFileInfo(file).suffix()).value_or(guessUnit(m_content.boundingBox(), largestSize()));
+    const FileUnit unit = proposedUnit(said, QFileInfo(file).suffix(), m_content.boundingBox(), largestSize());
     m_unitIsGuess = !said.millimetresPerUnit && !unitOf(QFileInfo(file).suffix());
     m_axesAreGuess = !said.up;
     m_unit->setCurrentIndex(static_cast<int>(unit));

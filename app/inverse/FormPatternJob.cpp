@@ -15,8 +15,7 @@ std::shared_ptr<const TriangleMesh> asFurniture(const ImportedMesh& read, const 
 {
     const QString ending = QFileInfo(file).suffix();
     const Box3 box = read.mesh->boundingBox();
-    const FileUnit unit =
-        read.said.millimetresPerUnit ? FileUnit::Custom : unitOf(ending).value_or(guessUnit(box, largestFurniture));
+    const FileUnit unit = proposedUnit(read.said, ending, box, largestFurniture);
     Placement placement;
     placement.scale =
         unit == FileUnit::Custom ? read.said.millimetresPerUnit.value_or(guessFactor(box)) : millimetresPer(unit);

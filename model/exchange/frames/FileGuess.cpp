@@ -76,6 +76,12 @@ std::optional<FileUnit> unitOf(const QString& fileEnding)
     return std::nullopt;
 }
 
+FileUnit proposedUnit(const FileFacts& said, const QString& fileEnding, const Box3& fileBox, double largest)
+{
+    return said.millimetresPerUnit ? unitOf(*said.millimetresPerUnit)
+                                   : unitOf(fileEnding).value_or(guessUnit(fileBox, largest));
+}
+
 double guessFactor(const Box3& fileBox)
 {
     const double size = fileBox.isEmpty() ? 0 : fileBox.sizes().maxCoeff();

@@ -22,6 +22,8 @@ FileUnit unitOf(double millimetresPerUnit);
 FileUnit guessUnit(const Box3& fileBox, double largest);
 /// What the format itself says: scanners' formats are in metres. Nothing for the others.
 std::optional<FileUnit> unitOf(const QString& fileEnding);
+/// What an import proposes: what the file says of its unit, else what its kind says, else by its size.
+FileUnit proposedUnit(const FileFacts& said, const QString& fileEnding, const Box3& fileBox, double largest);
 /// mm per unit for a content that has no known unit: the power of ten that makes it as large as furniture. 1 for
 /// one without any size.
 double guessFactor(const Box3& fileBox);
