@@ -5537,10 +5537,6 @@
         <translation>%1 hat einen Henkel wie eine Tasse und lässt sich nicht flach legen: teilen Sie es durch Gruppen, oder schneiden Sie bei einem kleineren Winkel</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>%1 Schnitte wurden gemacht, wo ein Stück ein Loch gehabt hätte oder ein Ring gewesen wäre; sie sind Nähte</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>es hat kein Dreieck mit einer Fläche</translation>
     </message>
@@ -5939,6 +5935,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>Von %1 wäre jenseits des Schnitts weniger als eine Netzkante geblieben: Sie endet jetzt dort.</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1: Keines der Dreiecke hat eine Fläche</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>Wo ein Stück ein Loch hätte oder ein Ring wäre, ist es aufgeschnitten und wieder genäht, Anzahl der Schnitte: %1</translation>
     </message>
 </context>
 <context>
@@ -7071,6 +7075,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1, zusammen %2</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>Zwillinge folgen einander über eine Ebene in der 3D-Ansicht und über eine Achse im Schnitt. Mit diesem Häkchen sind es die folgenden; ohne es liegen sie in der Mitte, zwischen links und rechts.</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>Ein Punkt der Ebene, an der der Bezug gespiegelt wird</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>Die Richtung senkrecht aus dieser Ebene heraus</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>Ein Punkt der Linie im Schnitt, an der Schnittteile gespiegelt werden</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>Die Richtung dieser Linie</translation>
     </message>
 </context>
 <context>
@@ -9479,10 +9503,6 @@
         <translation>Wählen Sie die Datei einer Form.</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>Es gibt keine Form: Importieren Sie zuerst ein Gestell.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Wird flach gelegt …</translation>
     </message>
@@ -9554,6 +9574,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>Die Form wird als %1 groß genommen. Wenn das falsch ist, importieren Sie die Datei als Gestell.</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Form wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Wählen Sie oben eine Datei mit einer Form, oder importieren Sie zuerst ein Gestell.</translation>
     </message>
 </context>
 <context>
@@ -9896,6 +9924,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>Das Handbuch hat keine Seite „%1“.</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>Das Handbuch ist auf Englisch.</translation>
     </message>
 </context>
 <context>
@@ -10563,6 +10595,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>%1 von der Form (rms), zuerst auf wenigen Dreiecken</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>Nichts liegt über den Grenzen: Es gibt nichts zu tun.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10704,8 +10740,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>Alle Elemente sind verwendbar. Wie es um den Bezug steht, sagt die Zeile unten.</translation>
+        <source>Nothing to worry about.</source>
+        <translation>Nichts, worum man sich sorgen müsste.</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>Alle Elemente sind brauchbar.</translation>
     </message>
 </context>
 <context>
@@ -11732,6 +11772,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>&amp;Was bedeutet das?</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>Eine Vorschau, noch nicht geprüft</translation>
     </message>
 </context>
 <context>

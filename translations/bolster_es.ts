@@ -5537,10 +5537,6 @@
         <translation>%1 tiene un asa, como una taza, y no se puede aplanar: divídalo por grupos o corte con un ángulo menor</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>se hicieron %1 cortes donde una pieza habría tenido un agujero o sería un anillo; son costuras</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>no tiene ningún triángulo con área</translation>
     </message>
@@ -5939,6 +5935,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>De %1 quedaba menos de una arista de la malla más allá del corte: ahora termina ahí.</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1: ninguno de sus triángulos tiene área</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>Donde una pieza tendría un agujero o sería un anillo se corta y se vuelve a coser, número de cortes: %1</translation>
     </message>
 </context>
 <context>
@@ -7071,6 +7075,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1, %2 en total</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>Los gemelos se siguen a través de un plano en la vista 3D y de un eje en el patrón. Con esta marca son los de abajo; sin ella están en el medio, entre izquierda y derecha.</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>Un punto del plano en que se refleja la funda</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>La dirección perpendicular a ese plano</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>Un punto de la línea del patrón en que se reflejan las piezas</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>La dirección de esa línea</translation>
     </message>
 </context>
 <context>
@@ -9479,10 +9503,6 @@
         <translation>Elija el archivo de una forma.</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>No hay ninguna forma: importe antes un armazón.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Aplanando…</translation>
     </message>
@@ -9554,6 +9574,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>La forma se toma con un tamaño de %1. Si no es correcto, importe el archivo como armazón.</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Elegir una forma</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Elija arriba un archivo con una forma, o importe primero un armazón.</translation>
     </message>
 </context>
 <context>
@@ -9896,6 +9924,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>El manual no tiene la página «%1».</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>El manual está en inglés.</translation>
     </message>
 </context>
 <context>
@@ -10563,6 +10595,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>%1 de la forma (rms), primero con pocos triángulos</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>Nada supera los límites: no hay nada que hacer.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10704,8 +10740,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>Todos los elementos se pueden usar. La línea de abajo dice cómo está la funda.</translation>
+        <source>Nothing to worry about.</source>
+        <translation>Nada de qué preocuparse.</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>Todos los elementos se pueden usar.</translation>
     </message>
 </context>
 <context>
@@ -11732,6 +11772,10 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>¿&amp;Qué significa?</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>Vista previa, aún sin comprobar</translation>
     </message>
 </context>
 <context>

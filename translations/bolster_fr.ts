@@ -5537,10 +5537,6 @@
         <translation>%1 a une anse, comme une tasse, et ne se met pas à plat&#x202f;: divisez-la par groupes, ou coupez à un angle plus petit</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>%1 coupes ont été faites là où un morceau aurait eu un trou ou été un anneau&#x202f;; ce sont des coutures</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>elle n’a aucun triangle avec une aire</translation>
     </message>
@@ -5939,6 +5935,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>De %1 il restait moins d’une arête du maillage au-delà de la coupe&#x202f;: elle s’y termine maintenant.</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1&#x202f;: aucun de ses triangles n’a de surface</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>Là où une pièce aurait un trou ou serait un anneau, elle est coupée et recousue, nombre de coupes&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -7071,6 +7075,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1, %2 en tout</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>Les jumeaux se suivent de part et d’autre d’un plan dans la vue 3D et d’un axe dans le patron. Avec cette coche, ce sont ceux ci-dessous&#x202f;; sans elle, ils sont au milieu, entre gauche et droite.</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>Un point du plan dans lequel la housse est réfléchie</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>La direction perpendiculaire à ce plan</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>Un point de la ligne du patron par rapport à laquelle les pièces sont réfléchies</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>La direction de cette ligne</translation>
     </message>
 </context>
 <context>
@@ -9479,10 +9503,6 @@
         <translation>Choisissez le fichier d’une forme.</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>Il n’y a pas de forme&#x202f;: importez d’abord une armature.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Mise à plat…</translation>
     </message>
@@ -9554,6 +9574,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>La forme est prise avec une taille de %1. Si c’est faux, importez le fichier comme armature.</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Choisir une forme</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Choisissez ci-dessus un fichier avec une forme, ou importez d’abord une armature.</translation>
     </message>
 </context>
 <context>
@@ -9896,6 +9924,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>Le manuel n’a pas de page « %1 ».</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>Le manuel est en anglais.</translation>
     </message>
 </context>
 <context>
@@ -10563,6 +10595,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>%1 de la forme (rms), d’abord sur peu de triangles</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>Rien ne dépasse les limites&#x202f;: il n’y a rien à faire.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10704,8 +10740,12 @@
         <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>Tous les éléments sont utilisables. La ligne du bas dit où en est la housse.</translation>
+        <source>Nothing to worry about.</source>
+        <translation>Rien d’inquiétant.</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>Tous les éléments sont utilisables.</translation>
     </message>
 </context>
 <context>
@@ -11732,6 +11772,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>&amp;Qu’est-ce que cela signifie&#x202f;?</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>Un aperçu, pas encore vérifié</translation>
     </message>
 </context>
 <context>

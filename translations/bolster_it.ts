@@ -5537,10 +5537,6 @@
         <translation>%1 ha un manico, come una tazza, e non può essere steso in piano: dividerlo per gruppi o tagliare a un angolo minore</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>%1 tagli sono stati fatti dove un pezzo avrebbe avuto un foro o sarebbe stato un anello; sono cuciture</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>non ha triangoli con un’area</translation>
     </message>
@@ -5939,6 +5935,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>Di %1 restava meno di uno spigolo della maglia oltre il taglio: ora finisce lì.</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1: nessuno dei suoi triangoli ha un’area</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>Dove un pezzo avrebbe un foro o sarebbe un anello è tagliato e ricucito, numero di tagli: %1</translation>
     </message>
 </context>
 <context>
@@ -7071,6 +7075,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1, %2 in tutto</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>I gemelli si seguono rispetto a un piano nella vista 3D e a un asse nel cartamodello. Con questo segno valgono quelli sotto; senza, stanno nel mezzo, tra sinistra e destra.</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>Un punto del piano in cui il rivestimento è specchiato</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>La direzione perpendicolare a quel piano</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>Un punto della linea del cartamodello rispetto alla quale i pezzi sono specchiati</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>La direzione di quella linea</translation>
     </message>
 </context>
 <context>
@@ -9479,10 +9503,6 @@
         <translation>Scegliere il file di una forma.</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>Non c’è una forma: importare prima un telaio.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Stesura in piano…</translation>
     </message>
@@ -9554,6 +9574,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>La forma è presa con una dimensione di %1. Se non è giusto, importi il file come telaio.</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Scegli una forma</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Scegli sopra un file con una forma, oppure importa prima un telaio.</translation>
     </message>
 </context>
 <context>
@@ -9896,6 +9924,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>Il manuale non ha una pagina «%1».</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>Il manuale è in inglese.</translation>
     </message>
 </context>
 <context>
@@ -10563,6 +10595,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>%1 dalla forma (rms), prima su pochi triangoli</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>Niente supera i limiti: non c’è nulla da fare.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10704,8 +10740,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>Tutti gli elementi sono utilizzabili. La riga in basso dice com’è il rivestimento.</translation>
+        <source>Nothing to worry about.</source>
+        <translation>Niente di cui preoccuparsi.</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>Tutti gli elementi sono utilizzabili.</translation>
     </message>
 </context>
 <context>
@@ -11732,6 +11772,10 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>&amp;Che cosa significa?</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>Un’anteprima, non ancora controllata</translation>
     </message>
 </context>
 <context>

@@ -5533,10 +5533,6 @@
         <translation>%1 にはカップの取っ手のような輪があり、平らに展開できません。グループで分割するか、より小さい角度で切ってください</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>パーツに穴ができるか輪になる所で %1 か所を切りました。そこは縫い目です</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>面積のある三角形がありません</translation>
     </message>
@@ -5935,6 +5931,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>%1 は切断線の先にメッシュの辺より短い部分しか残らないため、切断線で終わるようにしました。</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1: 面積のある三角形がありません</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>穴や輪になるパーツは切り開いて縫い直しています。切り込みの数: %1</translation>
     </message>
 </context>
 <context>
@@ -7067,6 +7071,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1、計 %2</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>対称ペアは3Dビューでは平面を、型紙では軸をはさんで互いに追従します。チェックを入れると下の値が使われ、外すと左右の中央になります。</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>カバーを反転する平面上の点</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>その平面に垂直な方向</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>型紙でパーツを反転する線上の点</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>その線の方向</translation>
     </message>
 </context>
 <context>
@@ -9458,10 +9482,6 @@
         <translation>形状のファイルを選んでください。</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>形状がありません。先にフレームをインポートしてください。</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>展開しています…</translation>
     </message>
@@ -9530,6 +9550,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>形状の大きさを %1 とみなします。違う場合は、ファイルをフレームとして読み込んでください。</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>形状を選択</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>上で形状のファイルを選ぶか、先にフレームを読み込んでください。</translation>
     </message>
 </context>
 <context>
@@ -9867,6 +9895,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>マニュアルに「%1」というページはありません。</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>マニュアルは英語です。</translation>
     </message>
 </context>
 <context>
@@ -10533,6 +10565,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>形状から %1（rms）、まず少ない三角形で</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>限度を超える箇所はありません。変更は不要です。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10673,8 +10709,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>すべての要素を使用できます。カバーの状態は下の行に表示されます。</translation>
+        <source>Nothing to worry about.</source>
+        <translation>気になる点はありません。</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>すべての要素を使えます。</translation>
     </message>
 </context>
 <context>
@@ -11699,6 +11739,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>これはどういう意味ですか(&amp;W)</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>プレビュー、未確認</translation>
     </message>
 </context>
 <context>

@@ -5541,10 +5541,6 @@
         <translation>kawałek %1 ma ucho jak filiżanka i nie da się rozłożyć na płasko: podziel według grup lub tnij przy mniejszym kącie</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>cięcia w miejscach, gdzie kawałek miałby otwór lub był pierścieniem: %1; to szwy</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>nie ma trójkąta o niezerowym polu</translation>
     </message>
@@ -5943,6 +5939,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>Za cięciem z %1 zostałoby mniej niż krawędź siatki: teraz kończy się na cięciu.</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1: żaden z trójkątów nie ma powierzchni</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>Gdzie element miałby otwór lub byłby pierścieniem, jest rozcięty i zszyty, liczba cięć: %1</translation>
     </message>
 </context>
 <context>
@@ -7075,6 +7079,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1, razem %2</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>Bliźniaki podążają za sobą względem płaszczyzny w widoku 3D i osi w wykroju. Z tym zaznaczeniem są to poniższe; bez niego leżą pośrodku, między lewą a prawą stroną.</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>Punkt płaszczyzny, w której odbija się pokrowiec</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>Kierunek prostopadły do tej płaszczyzny</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>Punkt linii wykroju, względem której odbijają się elementy</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>Kierunek tej linii</translation>
     </message>
 </context>
 <context>
@@ -9500,10 +9524,6 @@
         <translation>Wybierz plik formy.</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>Nie ma formy: najpierw zaimportuj stelaż.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Rozkładanie na płasko…</translation>
     </message>
@@ -9578,6 +9598,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>Przyjęto, że forma ma wymiary %1. Jeśli to błąd, proszę zaimportować plik jako stelaż.</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Wybierz formę</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Wybierz powyżej plik z formą albo najpierw zaimportuj stelaż.</translation>
     </message>
 </context>
 <context>
@@ -9925,6 +9953,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>Podręcznik nie ma strony „%1”.</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>Podręcznik jest po angielsku.</translation>
     </message>
 </context>
 <context>
@@ -10593,6 +10625,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>%1 od formy (rms), najpierw na niewielu trójkątach</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>Nic nie przekracza granic: nie ma nic do zrobienia.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10735,8 +10771,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>Wszystkich elementów można użyć. O stanie pokrowca mówi wiersz na dole.</translation>
+        <source>Nothing to worry about.</source>
+        <translation>Nie ma się czym martwić.</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>Wszystkie elementy nadają się do użycia.</translation>
     </message>
 </context>
 <context>
@@ -11765,6 +11805,10 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>&amp;Co to znaczy?</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>Podgląd, jeszcze niesprawdzony</translation>
     </message>
 </context>
 <context>

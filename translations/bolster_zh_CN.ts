@@ -5533,10 +5533,6 @@
         <translation>%1 有像杯子那样的环柄，无法展平：请按组划分，或以更小的角度切分</translation>
     </message>
     <message>
-        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
-        <translation>在样片会有孔或成环处切开了 %1 处；这些是接缝</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>它没有有面积的三角形</translation>
     </message>
@@ -5935,6 +5931,14 @@
     <message>
         <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
         <translation>%1 在切口另一侧剩下的长度小于网格边长：现在在切口处结束。</translation>
+    </message>
+    <message>
+        <source>%1: none of its triangles has an area</source>
+        <translation>%1：没有任何三角形具有面积</translation>
+    </message>
+    <message>
+        <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
+        <translation>样片会有孔或成环之处已剪开并重新缝合，剪口数：%1</translation>
     </message>
 </context>
 <context>
@@ -7067,6 +7071,26 @@
     <message>
         <source>%1, %2 in all</source>
         <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
+        <translation>镜像件在三维视图中关于一个平面、在纸样中关于一条轴互相跟随。勾选时使用下面的平面和轴；不勾选时位于左右正中。</translation>
+    </message>
+    <message>
+        <source>A point of the plane in which the cover is mirrored</source>
+        <translation>镜像面套所用平面上的一点</translation>
+    </message>
+    <message>
+        <source>The direction straight out of that plane</source>
+        <translation>垂直于该平面的方向</translation>
+    </message>
+    <message>
+        <source>A point of the line of the pattern at which patches are mirrored</source>
+        <translation>纸样中镜像样片所用直线上的一点</translation>
+    </message>
+    <message>
+        <source>The direction of that line</source>
+        <translation>该直线的方向</translation>
     </message>
 </context>
 <context>
@@ -9458,10 +9482,6 @@
         <translation>请选择形体的文件。</translation>
     </message>
     <message>
-        <source>There is no form: import a frame first.</source>
-        <translation>没有形体：请先导入骨架。</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>正在展平…</translation>
     </message>
@@ -9530,6 +9550,14 @@
     <message>
         <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
         <translation>形状按 %1 的大小处理。如果不对，请将文件作为骨架导入。</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>选择形体</translation>
+    </message>
+    <message>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>请在上方选择形体文件，或先导入骨架。</translation>
     </message>
 </context>
 <context>
@@ -9867,6 +9895,10 @@
     <message>
         <source>The manual has no page &quot;%1&quot;.</source>
         <translation>手册中没有页面“%1”。</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>手册为英文。</translation>
     </message>
 </context>
 <context>
@@ -10533,6 +10565,10 @@
         <source>%1 from the form (rms), on few triangles at first</source>
         <translation>距形状 %1（rms），先用较少的三角形</translation>
     </message>
+    <message>
+        <source>Nothing is over the limits: there is nothing to do.</source>
+        <translation>没有超出限度之处：无需更改。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -10673,8 +10709,12 @@
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>All elements can be used. How the cover is, the line at the bottom says.</source>
-        <translation>所有元素都可以使用。面套的状态见底部的状态行。</translation>
+        <source>Nothing to worry about.</source>
+        <translation>没有需要担心的地方。</translation>
+    </message>
+    <message>
+        <source>All elements can be used.</source>
+        <translation>所有元素都可以使用。</translation>
     </message>
 </context>
 <context>
@@ -11699,6 +11739,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>&amp;What does it mean?</source>
         <translation>这是什么意思(&amp;W)？</translation>
+    </message>
+    <message>
+        <source>A preview, not checked yet</source>
+        <translation>预览，尚未检查</translation>
     </message>
 </context>
 <context>

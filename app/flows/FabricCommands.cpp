@@ -40,7 +40,7 @@ bool FabricCommands::commit(const Edit& edit)
 
 void FabricCommands::fail(const QString& title, const Message& why)
 {
-    tell(m_window, QMessageBox::Warning, title, translated(why));
+    tell(m_window, QMessageBox::Warning, title, translated(why))->setObjectName(QString::fromStdString(why.key));
 }
 
 void FabricCommands::add(const Fabric& fabric)

@@ -11,14 +11,10 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
 
 namespace bolster {
 
 namespace {
-
-const QString folderKey = QStringLiteral("folder");
 
 QString openFilter()
 {
@@ -53,13 +49,7 @@ FileFlow::FileFlow(DesignSession& session, QWidget* window, Banner* banner)
 
 QString FileFlow::startFolder() const
 {
-    if (!m_session.path().isEmpty())
-        return QFileInfo(m_session.path()).absolutePath();
-    const QString last = QSettings().value(folderKey).toString();
-    for (const QString& folder : {last, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
-        if (!folder.isEmpty() && QFileInfo(folder).isDir())
-            return folder;
-    return QDir::homePath();
+    return usualFolder(m_session.path());
 }
 
 void FileFlow::startNew(const Then& begun)
@@ -103,6 +93,7 @@ void FileFlow::openNow(const QString& path, const Then& opened)
                QMessageBox::Open | QMessageBox::Cancel);
     box->setInformativeText(tr("It can be opened here to look at; what is changed is saved under another name."));
     box->setDefaultButton(QMessageBox::Open);
+    box->setObjectName(QStringLiteral("question.open-elsewhere"));
     openQuestion(box, [this, box, path, opened](const QAbstractButton* pressed) {
         if (pressed && pressed == box->button(QMessageBox::Open))
             openAs(path, DesignSession::Opening::ToLook, opened);
@@ -180,7 +171,7 @@ bool FileFlow::hasSaved() const
 void FileFlow::remember(const QString& path)
 {
     recentFiles::add(path);
-    QSettings().setValue(folderKey, QFileInfo(path).absolutePath());
+    rememberFolder(path);
 }
 
 /// Names that are the same are told apart by their folders.

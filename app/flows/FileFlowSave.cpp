@@ -43,7 +43,7 @@ QMessageBox* FileFlow::newBox(QMessageBox::Icon icon, const QString& text, QMess
 
 void FileFlow::fail(const QString& title, const Message& why)
 {
-    tell(m_window, QMessageBox::Warning, title, translated(why));
+    tell(m_window, QMessageBox::Warning, title, translated(why))->setObjectName(QString::fromStdString(why.key));
 }
 
 void FileFlow::keepWork(const Then& then)
@@ -81,6 +81,7 @@ void FileFlow::askAboutWork(const Then& then)
         box->button(QMessageBox::Save)->setText(tr("Save as &project \u2026"));
     const QAbstractButton* keep = box->addButton(tr("&Keep for later"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Save);
+    box->setObjectName(QStringLiteral("question.save"));
     m_question = box;
     openQuestion(box, [this, box, keep, asProject, then](const QAbstractButton* pressed) {
         m_question.clear();
@@ -243,6 +244,7 @@ void FileFlow::askOrSaveElsewhere(QMessageBox* box, const QString& text, const T
     const QAbstractButton* own = box->addButton(text, QMessageBox::AcceptRole);
     const QAbstractButton* other = box->addButton(tr("Save &as \u2026"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
+    box->setObjectName(QStringLiteral("question.changed-elsewhere"));
     openQuestion(box, [own, other, act, elsewhere](const QAbstractButton* pressed) {
         if (pressed == own)
             act();

@@ -160,6 +160,7 @@ void FileFlow::sayWhatBecameOf(const QString& work, const QString& why, const QS
     box->setDetailedText(details.join(u'\n'));
     const QAbstractButton* look =
         some ? box->addButton(tr("Open what was &recovered"), QMessageBox::AcceptRole) : nullptr;
+    box->setObjectName(QStringLiteral("question.damaged"));
     openQuestion(box, [this, look, recovered](const QAbstractButton* pressed) {
         if (look && pressed == look)
             open(recovered);
@@ -176,6 +177,7 @@ void FileFlow::offerWorkSalvage(const WorkJournal::Left& damaged)
                                nullptr, WorkJournal::daysInBin()));
     const QAbstractButton* rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
     const QAbstractButton* bin = box->addButton(tr("Put it into the &bin"), QMessageBox::DestructiveRole);
+    box->setObjectName(QStringLiteral("question.damaged"));
     openQuestion(box, [this, rescue, bin, damaged](const QAbstractButton* pressed) {
         if (pressed == rescue)
             salvageWork(damaged, {});
@@ -246,6 +248,7 @@ void FileFlow::offerSalvage(const QString& path, const Message& problem, bool da
         rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
         box->setDefaultButton(rescue);
     }
+    box->setObjectName(QStringLiteral("question.damaged"));
     openQuestion(box, [this, rescue, path](const QAbstractButton* pressed) {
         if (rescue && pressed == rescue)
             salvage(path);

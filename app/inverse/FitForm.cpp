@@ -1,7 +1,6 @@
 #include "FitForm.h"
 
-#include "CloudImport.h"
-#include "MeshImport.h"
+#include "FormImport.h"
 
 namespace bolster {
 
@@ -13,16 +12,13 @@ bool readTarget(const FitForm& form, FitTarget& target, Message& problem, const 
     }
     if (form.file.isEmpty())
         return true;
-    const ImportedMesh read = importMesh(form.file, {stop, {}, {}});
-    if (read.mesh && !read.mesh->triangles.empty()) {
+    const ImportedForm read = importForm(form.file, {stop, {}, {}});
+    if (read.mesh)
         target = targetOf(*read.mesh);
-        return true;
-    }
-    const ImportedCloud cloud = importCloud(form.file, {stop, {}, {}});
-    if (cloud.cloud)
-        target = targetOf(Scan{}, *cloud.cloud);
-    problem = read.mesh ? cloud.problem : read.problem;
-    return cloud.cloud != nullptr;
+    else if (read.cloud)
+        target = targetOf(Scan{}, *read.cloud);
+    problem = read.problem;
+    return read.mesh || read.cloud;
 }
 
 } // namespace bolster

@@ -53,7 +53,7 @@ bool FormChoice::asksForFile()
 
 void FormChoice::chooseFile()
 {
-    askForFile(this, m_fileTitle, m_session.path(),
+    askForFile(this, m_fileTitle, usualFolder(m_session.path()),
                tr("Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)"),
                [this](const QString& file) {
                    m_file = file;

@@ -212,6 +212,10 @@ void FormPatternWindow::fillForms()
     if (m_solver.surface() && !m_solver.surface()->positions.empty())
         m_form->addItem(tr("The cover as it is"), "cover");
     m_form->addItem(tr("A file \u2026"), "file");
+    if (m_form->count() == 1) { // it would look as if it were chosen
+        m_form->setPlaceholderText(tr("Choose a form"));
+        m_form->setCurrentIndex(-1);
+    }
 }
 
 void FormPatternWindow::fillFabrics()
@@ -250,7 +254,7 @@ void FormPatternWindow::tickLines(bool ticked)
 
 void FormPatternWindow::chooseFile()
 {
-    askForFile(this, tr("The form to be covered"), m_session.path(),
+    askForFile(this, tr("The form to be covered"), usualFolder(m_session.path()),
                tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;"
                   "All files (*)"),
                [this](const QString& file) {
@@ -317,7 +321,8 @@ void FormPatternWindow::ask(bool draft)
     if (!m_mesh && (!file || m_file.isEmpty())) {
         m_job.cancel();
         setRunning(false);
-        m_said->setText(file ? tr("Choose the file of a form.") : tr("There is no form: import a frame first."));
+        m_said->setText(file ? tr("Choose the file of a form.")
+                             : tr("Choose a file with a form above, or import a frame first."));
         return;
     }
     FormWanted wanted;

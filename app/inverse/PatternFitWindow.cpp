@@ -398,7 +398,8 @@ void PatternFitWindow::take(FitFound found)
     if (result.status == FitResult::Status::Failed || result.status == FitResult::Status::NothingToDo) {
         setRunning(false);
         m_said->setText(result.status == FitResult::Status::Failed ? translated(result.reason)
-                                                                   : tr("No change makes it better."));
+                        : result.rounds.empty() ? tr("Nothing is over the limits: there is nothing to do.")
+                                                : tr("No change makes it better."));
         return;
     }
     show(std::move(found), tr("With all of the changes:"));

@@ -31,12 +31,17 @@ ManualPlaces::ManualPlaces(const QString& folder)
 
 QString ManualPlaces::ofWidget(const QWidget* widget) const
 {
-    for (; widget; widget = widget->parentWidget())
+    for (; widget; widget = widget->parentWidget()) {
+        if (const QString name = widget->objectName(); !name.isEmpty())
+            for (const auto* table : {&m_places, &m_messages})
+                if (const QString place = table->value(name); !place.isEmpty())
+                    return place;
         for (const QMetaObject* kind = widget->metaObject(); kind; kind = kind->superClass())
             if (const QString place =
                     m_places.value(QString::fromLatin1(kind->className()).section(QStringLiteral("::"), -1));
                 !place.isEmpty())
                 return place;
+    }
     return {};
 }
 

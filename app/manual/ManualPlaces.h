@@ -19,7 +19,8 @@ public:
     QString ofCommand(const QString& id) const { return m_places.value(id); }
     /// By the key of a Message, which is its English sentence.
     QString ofMessage(const QString& key) const { return m_messages.value(key); }
-    /// What the widget, or what it lies in, is for.
+    /// What the widget, or what it lies in, is for: by its object's name, which may be the key of a Message, or by
+    /// its class.
     QString ofWidget(const QWidget* widget) const;
 
 private:

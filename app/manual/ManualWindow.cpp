@@ -7,8 +7,11 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QTextBlock>
@@ -97,9 +100,11 @@ ManualWindow::ManualWindow(QString folder, QWidget* parent)
     bar->addWidget(m_find, 2);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(bar);
+    if (QLocale().language() != QLocale::English && QLocale().language() != QLocale::C)
+        layout->addWidget(new QLabel(tr("The manual is in English."), this));
     layout->addWidget(m_text, 1);
     m_text->setFocus();
-    resize(760, 800);
+    resize(QSize(760, 800).boundedTo(screen()->availableSize() - QSize(40, 80))); // with its frame and title
 }
 
 void ManualWindow::openAt(const QString& place)

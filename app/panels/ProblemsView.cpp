@@ -9,11 +9,14 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
 
 constexpr int keyRole = Qt::UserRole + 1;
+constexpr int findingRole = Qt::UserRole + 2; ///< its place among the findings
 
 } // namespace
 
@@ -29,8 +32,8 @@ ProblemsView::ProblemsView(const ProblemSet& problems, const Document& document,
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(ScrollPerPixel);
     connect(&problems, &ProblemSet::changed, this, &ProblemsView::fill);
-    connect(this, &QListWidget::itemClicked, this,
-            [this](QListWidgetItem* item) { emit chosen(ElementId{item->data(Qt::UserRole).toInt()}); });
+    connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { choose(*item); });
+    connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { choose(*item); });
     fill();
 }
 
@@ -44,11 +47,44 @@ void ProblemsView::fill()
         for (const Problem& problem : m_problems.all()) {
             if (problem.severity != severity)
                 continue;
-            auto* item = new QListWidgetItem(severity == Severity::Error ? error : warning, textOf(problem), this);
+            QListWidgetItem* item =
+                addRow(severity == Severity::Error ? error : warning, textOf(problem), problem.message.key);
             item->setData(Qt::UserRole, number(problem.element));
-            item->setData(keyRole, QString::fromStdString(problem.message.key));
-            item->setToolTip(tr("F1: what it means, and what to do"));
         }
+    for (std::size_t i = 0; i < m_findings.size(); ++i) {
+        const Message& text = m_findings[i].text;
+        addRow(warning, translated(text), text.key)->setData(findingRole, static_cast<int>(i));
+    }
+}
+
+QListWidgetItem* ProblemsView::addRow(const QIcon& sign, const QString& text, const std::string& key)
+{
+    auto* item = new QListWidgetItem(sign, text, this);
+    item->setData(keyRole, QString::fromStdString(key));
+    item->setToolTip(tr("F1: what it means, and what to do"));
+    return item;
+}
+
+void ProblemsView::choose(const QListWidgetItem& item)
+{
+    if (const QVariant finding = item.data(findingRole); finding.isValid())
+        emit findingChosen(m_findings.at(finding.toUInt()));
+    else
+        emit chosen(ElementId{item.data(Qt::UserRole).toInt()});
+}
+
+void ProblemsView::setFindings(const std::vector<CoverFinding>& findings, bool known)
+{
+    m_findingsKnown = known;
+    if (known && std::ranges::equal(findings, m_findings, {}, &CoverFinding::text, &CoverFinding::text)) {
+        m_findings = findings; // the same sentences: what is chosen in the list stays so
+        viewport()->update();
+        return;
+    }
+    if (known) {
+        m_findings = findings;
+        fill();
+    }
 }
 
 /// By the names that the other panels have; where there is no element, by the place in the file.
@@ -69,7 +105,7 @@ void ProblemsView::paintEvent(QPaintEvent* event)
     QPainter painter(viewport());
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
-                     tr("All elements can be used. How the cover is, the line at the bottom says."));
+                     m_findingsKnown ? tr("Nothing to worry about.") : tr("All elements can be used."));
 }
 
 QString ProblemsView::currentKey() const

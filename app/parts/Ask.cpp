@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -9,6 +10,8 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSettings>
+#include <QStandardPaths>
 #include <QTimer>
 
 #include <algorithm>
@@ -16,6 +19,8 @@
 namespace bolster {
 
 namespace {
+
+const QString folderKey = QStringLiteral("folder");
 
 class Ask {
     Q_DECLARE_TR_FUNCTIONS(Ask)
@@ -67,11 +72,28 @@ void openQuestion(QMessageBox* box, const std::function<void(const QAbstractButt
     openDialog(box);
 }
 
-void tell(QWidget* window, QMessageBox::Icon icon, const QString& text, const QString& more)
+QMessageBox* tell(QWidget* window, QMessageBox::Icon icon, const QString& text, const QString& more)
 {
     auto* box = new QMessageBox(icon, Ask::tr("Bolster"), text, QMessageBox::Ok, window);
     box->setInformativeText(more);
     openDialog(box);
+    return box;
+}
+
+QString usualFolder(const QString& openFile)
+{
+    if (!openFile.isEmpty())
+        return QFileInfo(openFile).absolutePath();
+    const QString last = QSettings().value(folderKey).toString();
+    for (const QString& folder : {last, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+        if (!folder.isEmpty() && QFileInfo(folder).isDir())
+            return folder;
+    return QDir::homePath();
+}
+
+void rememberFolder(const QString& file)
+{
+    QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
 }
 
 void askForFile(QWidget* window, const QString& title, const QString& folder, const QString& filter,

@@ -21,8 +21,13 @@ QString asSentence(const QString& text);
 void openDialog(QDialog* dialog);
 /// The same for a question; null when it was closed without an answer. The button lives as long as the call.
 void openQuestion(QMessageBox* box, const std::function<void(const QAbstractButton*)>& answered);
-/// Nothing to choose.
-void tell(QWidget* window, QMessageBox::Icon icon, const QString& text, const QString& more);
+/// Nothing to choose. Given an object's name, that of a place or of a message, F1 leads to its page.
+QMessageBox* tell(QWidget* window, QMessageBox::Icon icon, const QString& text, const QString& more);
+
+/// Of the file that is open; without one the folder where the user has opened or saved last.
+QString usualFolder(const QString& openFile);
+/// A file was opened or saved there.
+void rememberFolder(const QString& file);
 
 void askForFile(QWidget* window, const QString& title, const QString& folder, const QString& filter,
                 const Answer& chosen);

@@ -115,7 +115,7 @@ QString Banner::text() const
 
 QSize Banner::sizeHint() const
 {
-    const int width = window()->width();
+    const int width = isVisible() ? this->width() : window()->width(); // a tool bar has margins
     return {width, layout()->heightForWidth(width)};
 }
 

@@ -1,5 +1,7 @@
 #include "ElidedLabel.h"
 
+#include "ElementText.h"
+
 namespace bolster {
 
 void ElidedLabel::setFullText(const QString& text)
@@ -28,7 +30,7 @@ void ElidedLabel::elide()
     setTextFormat(Qt::PlainText); // names may be in it, and it may be given one before it is polished
     const QString shown = fontMetrics().elidedText(m_full, Qt::ElideRight, width());
     setText(shown);
-    setToolTip(shown == m_full ? QString() : m_full);
+    setToolTip(shown == m_full ? QString() : inShortLines(m_full));
 }
 
 } // namespace bolster

@@ -226,10 +226,11 @@ void StatusLine::setCoordinates(const std::function<QString()>& text)
     m_coordinates->setText(text());
 }
 
-void StatusLine::setSolver(const SolverStatus& status, bool paused)
+void StatusLine::setSolver(const SolverStatus& status, bool paused, bool preview)
 {
     m_status = status;
     m_paused = paused;
+    m_preview = preview;
     showState();
 }
 
@@ -249,6 +250,8 @@ StatusLine::Mood StatusLine::mood() const
         return Mood::Failed;
     if (m_status.state != State::Settled || !m_status.resting)
         return Mood::Busy;
+    if (m_preview)
+        return Mood::Idle;
     if (!m_status.reason.empty())
         return Mood::Worried;
     if (!m_findingsKnown)
@@ -273,6 +276,8 @@ QString StatusLine::stateText() const
     }
     if (!m_status.resting)
         return tr("Following the drag");
+    if (m_preview)
+        return tr("A preview, not checked yet");
     if (mood() == Mood::Busy) // what is not seen yet is not called solved, not in part either
         return tr("Drawing and checking \u2026");
     if (hasErrors(m_status.problems))
@@ -302,7 +307,7 @@ QString StatusLine::preparing() const
 /// It has stopped without having come to rest.
 bool StatusLine::restless() const
 {
-    return !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting &&
+    return !m_paused && !m_preview && m_status.state == SolverStatus::State::Settled && m_status.resting &&
            !hasErrors(m_status.problems) && !m_status.reason.empty();
 }
 
@@ -323,7 +328,8 @@ void StatusLine::showState()
 
 bool StatusLine::finds() const
 {
-    const bool atRest = !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting;
+    const bool atRest =
+        !m_paused && !m_preview && m_status.state == SolverStatus::State::Settled && m_status.resting;
     return atRest && m_findingsKnown && !m_findings.empty();
 }
 

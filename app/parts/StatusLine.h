@@ -36,7 +36,8 @@ public:
     void forgetReason();
     /// Asked again when lengths are shown in another unit.
     void setCoordinates(const std::function<QString()>& text);
-    void setSolver(const SolverStatus& status, bool paused);
+    /// `preview`: of a change that is not made yet; its cover is looked over when it is.
+    void setSolver(const SolverStatus& status, bool paused, bool preview = false);
     /// What there is to worry about in the cover, the worst first. `known`: it is that of the cover that is shown.
     void setFindings(const std::vector<CoverFinding>& findings, bool known);
     void setProblems(int errors, int warnings);
@@ -94,6 +95,7 @@ private:
     QToolButton* m_unrest; ///< why the cover finds no rest
     SolverStatus m_status;
     bool m_paused = false;
+    bool m_preview = false;
     std::vector<CoverFinding> m_findings;
     bool m_findingsKnown = false;
     QString m_prompt;

@@ -232,7 +232,7 @@ void MainWindow::updateProblems()
 void MainWindow::updateSolverState()
 {
     const SolverStatus& status = m_solver->status();
-    m_status->setSolver(status, m_solver->paused());
+    m_status->setSolver(status, m_solver->paused(), document().gestureRunning());
     // What is wrong is known only once everything has been looked at: no flicker while a drag goes on.
     if (status.state != SolverStatus::State::Preparing)
         updateProblems();
@@ -344,6 +344,7 @@ void MainWindow::askAboutJobs(bool restarts)
         tr("What is closed now is not finished; files that are being written stay as they were."));
     const QAbstractButton* stop = box->addButton(tr("&Stop it and close"), QMessageBox::DestructiveRole);
     box->setDefaultButton(QMessageBox::Cancel);
+    box->setObjectName(QStringLiteral("question.jobs"));
     openQuestion(box, [this, stop, restarts](const QAbstractButton* pressed) {
         m_workKept = pressed == stop;
         if (pressed != stop)

@@ -374,14 +374,16 @@ void MainWindow::connectFindings()
     // What is not on the screen yet is not called good.
     const auto update = [this] {
         const bool seen = m_surface->pictures(m_solver->surface());
-        m_status->setFindings(m_findings->findings(), seen && m_findings->known());
+        const bool known = seen && m_findings->known();
+        m_status->setFindings(m_findings->findings(), known);
+        m_problemList->setFindings(m_findings->findings(), known);
     };
     connect(m_findings.get(), &FindingsLink::changed, this, update);
     // A window that is destroyed hides its docks, when the findings are gone.
     connect(m_surface, &CoverView::pictured, m_findings.get(), update);
     connect(m_docks->cover, &QDockWidget::visibilityChanged, m_findings.get(), update);
     connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
-    connect(m_status, &StatusLine::findingWanted, this, [this](const CoverFinding& finding) {
+    const auto showFinding = [this](const CoverFinding& finding) {
         if (!document().design().element(finding.element))
             return;
         m_selection.set({finding.element});
@@ -389,7 +391,9 @@ void MainWindow::connectFindings()
             m_mapCommands->showSpot({finding.place->patch, finding.place->outline});
         else
             m_viewCommands->fitSelection();
-    });
+    };
+    connect(m_status, &StatusLine::findingWanted, this, showFinding);
+    connect(m_problemList, &ProblemsView::findingChosen, this, showFinding);
 }
 
 void MainWindow::connectKeyboard()

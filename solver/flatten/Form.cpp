@@ -456,8 +456,8 @@ private:
         }
         if (m_opened > 0)
             m_form.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 cuts were made where a piece would have had a hole "
-                                              "or been a ring; they are seams"),
+                {QT_TRANSLATE_NOOP("Message", "Where a piece would have had a hole or been a ring it is cut "
+                                              "and sewn again, number of cuts: %1"),
                  {std::to_string(m_opened)}});
     }
 

@@ -65,6 +65,13 @@ std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<c
     return entries;
 }
 
+/// What is below the limits already need not be changed for them; other goals are never reached wholly.
+bool isLimitAlone(const FitGoals& goals)
+{
+    return goals.strain && goals.target.empty() && goals.smooth.empty() && goals.seams.empty() &&
+           goals.sizes.empty();
+}
+
 class Fit {
 public:
     Fit(const SolveInput& input, const FitOrder& order,
@@ -93,7 +100,12 @@ public:
     {
         const std::vector<double> edges = edgesFor(m_input.design);
         m_stages = static_cast<int>(edges.size()) + 1;
-        bool whole = begin(edges.front());
+        if (isLimitAlone(m_order.goals) && begin(edges.back()) && m_result.before.overLimit == 0) {
+            m_result.after = m_result.before;
+            m_result.status = FitResult::Status::NothingToDo;
+            return std::move(m_result);
+        }
+        bool whole = m_result.reason.empty() && begin(edges.front());
         for (m_stage = 0; whole && m_stage < m_stages - 1; ++m_stage)
             whole =
                 goOn(edges[static_cast<std::size_t>(m_stage)]) && improve(edges[static_cast<std::size_t>(m_stage)]);

@@ -5,11 +5,16 @@
 #include "CurveEdits.h"
 #include "ElidedLabel.h"
 #include "FindingsLink.h"
+#include "Gesture.h"
+#include "ProblemsView.h"
 #include "StatusLine.h"
 
 #include <QMenu>
 #include <QTimer>
 #include <QToolButton>
+
+#include <algorithm>
+#include <array>
 
 namespace bolster {
 namespace {
@@ -89,6 +94,85 @@ TEST_F(FindingsTest, WhatIsWrongIsSaidAndAClickGoesThere)
     EXPECT_TRUE(manual->isVisible());
     delete manual;
     window.command("edit.undo")->trigger();
+    ASSERT_TRUE(waitUntilKnown());
+    EXPECT_EQ(mood(), StatusLine::Mood::Good);
+}
+
+TEST_F(FindingsTest, TheListOfProblemsHasThemAndLeadsThere)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ASSERT_TRUE(waitUntilKnown());
+    auto* list = window.findChild<ProblemsView*>();
+    ASSERT_TRUE(list);
+    EXPECT_EQ(list->count(), 0);
+    lift({0});
+    ASSERT_TRUE(waitUntilKnown());
+    const std::vector<CoverFinding> findings = window.findings().findings();
+    const int before = list->count() - static_cast<int>(findings.size());
+    ASSERT_GE(before, 0);
+    for (int i = 0; i < static_cast<int>(findings.size()); ++i)
+        EXPECT_EQ(list->item(before + i)->text().toStdString(),
+                  findings[static_cast<std::size_t>(i)].text.english());
+    window.selection().clear();
+    list->setCurrentRow(before);
+    EXPECT_EQ(list->currentKey().toStdString(), findings.front().text.key);
+    emit list->itemClicked(list->item(before));
+    EXPECT_TRUE(window.selection().contains(findings.front().element));
+    window.command("edit.undo")->trigger();
+    ASSERT_TRUE(waitUntilKnown());
+    EXPECT_EQ(list->count(), 0);
+}
+
+TEST_F(FindingsTest, ShowTurnsTheCoverUntilThePlaceIsSeen)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ASSERT_TRUE(waitUntilKnown());
+    lift({0});
+    ASSERT_TRUE(waitUntilKnown());
+    const std::vector<CoverFinding> findings = window.findings().findings();
+    const auto found =
+        std::ranges::find_if(findings, [](const CoverFinding& one) { return one.place.has_value(); });
+    ASSERT_NE(found, findings.end());
+    CoverView& view = window.coverView();
+    CoverNavigation& navigation = view.navigation();
+    navigation.setAnimated(false);
+    const std::optional<Vec3> place = view.shown().onCover({found->place->patch, found->place->outline});
+    ASSERT_TRUE(place);
+    auto* list = window.findChild<ProblemsView*>();
+    const int row = list->count() - static_cast<int>(findings.end() - found);
+    int turned = 0;
+    for (double azimuth = 0; azimuth < 6; azimuth += 1.5)
+        for (const double elevation : {-1.2, 0.1, 1.2}) {
+            navigation.lookFrom(azimuth, elevation);
+            const Camera before = navigation.camera();
+            emit list->itemClicked(list->item(row));
+            const Camera& camera = navigation.camera();
+            turned += camera != before;
+            const std::optional<Vec2> pixel = camera.pixel(*place);
+            ASSERT_TRUE(pixel && view.rect().contains(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())));
+            const CoverHit hit = view.shown().hits().hitSolid(camera, {pixel->x(), pixel->y()});
+            EXPECT_TRUE(!hit || camera.depth(hit.position) > camera.depth(*place) - 5)
+                << azimuth << " " << elevation;
+        }
+    EXPECT_GT(turned, 0);
+    EXPECT_LT(turned, 12) << "where it is seen nothing moves";
+}
+
+TEST_F(FindingsTest, WhatIsTriedIsCalledAPreview)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ASSERT_TRUE(waitUntilKnown());
+    const Design& design = window.document().design();
+    ElementId curve{};
+    design.each<FixationCurve>([&](ElementId id, const FixationCurve&) { curve = id; });
+    Gesture gesture(window.document());
+    const std::array first{0};
+    gesture.update(edits::moveCurvePoints(design, curve, first, Vec3(0, 0, 20)));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window.statusLine().solverText() == QStringLiteral("A preview, not checked yet"); }, 60000))
+        << window.statusLine().solverText().toStdString();
+    EXPECT_EQ(mood(), StatusLine::Mood::Idle);
+    gesture.cancel();
     ASSERT_TRUE(waitUntilKnown());
     EXPECT_EQ(mood(), StatusLine::Mood::Good);
 }

@@ -2,7 +2,9 @@
 #include "WindowTest.h"
 
 #include "CoverView.h"
+#include "ElementEdits.h"
 #include "ManualWindow.h"
+#include "NumberBox.h"
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "Samples.h"
@@ -10,6 +12,8 @@
 #include <QDir>
 #include <QFile>
 #include <QMenu>
+#include <QMessageBox>
+#include <QScreen>
 #include <QTextBlock>
 #include <QTextBrowser>
 
@@ -61,6 +65,44 @@ TEST_F(ManualTest, OpensOverADialog)
     EXPECT_TRUE(manual()->place().startsWith("to-the-cutter.md")) << manual()->place().toStdString();
     manual()->close();
     dialog->close();
+}
+
+TEST_F(ManualTest, OpensAtAQuestion)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.document().commit(edits::addElement(window.document().design(), makeElement(Fabric{})));
+    takeKeyboard();
+    window.close();
+    QMessageBox* box = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        box = qobject_cast<QMessageBox*>(QApplication::activeWindow());
+        return box != nullptr;
+    }));
+    QTest::keyClick(box->focusWidget() ? box->focusWidget() : box, Qt::Key_F1);
+    const auto shown = box->findChildren<ManualWindow*>();
+    ASSERT_EQ(shown.size(), 1);
+    EXPECT_EQ(shown.front()->place(), "saving.md#unsaved-work");
+    shown.front()->close();
+    box->reject();
+}
+
+TEST_F(ManualTest, OpensAtAField)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ElementId patch{};
+    window.document().design().each<Patch>([&](ElementId id, const Patch&) { patch = id; });
+    window.selection().set({patch});
+    auto* field = window.findChild<QWidget*>("field.pressure");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return (field = window.findChild<QWidget*>("field.pressure")) != nullptr; }));
+    takeKeyboard();
+    QWidget* box = field->findChild<NumberBox*>();
+    ASSERT_TRUE(box);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_F1);
+    ASSERT_TRUE(manual());
+    EXPECT_EQ(manual()->place(), "physics.md#pressure");
+    EXPECT_LE(manual()->height(), manual()->screen()->availableSize().height());
+    manual()->close();
 }
 
 TEST_F(ManualTest, OpensAtTheEntryThatIsLitInAMenu)

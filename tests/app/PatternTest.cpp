@@ -138,6 +138,27 @@ TEST_F(PatternTest, SplitsByDrawingAndMergesAgain)
     EXPECT_EQ(design(), before);
 }
 
+TEST_F(PatternTest, ACutOverBothArmsOfAUSaysWhatIsWrong)
+{
+    Patch arms = *design().find<Patch>(patchNamed("Top"));
+    arms.name = "Arms";
+    arms.position = {2000, 0};
+    arms.outline =
+        BSpline2(1, true, {{0, 0}, {300, 0}, {300, 300}, {200, 300}, {200, 100}, {100, 100}, {100, 300}, {0, 300}});
+    window.document().commit(edits::addElement(design(), makeElement(arms)));
+    window.command("view.fit-all")->trigger();
+    const int before = patchCount();
+    key(Qt::Key_K);
+    click(patternPixel(Vec2(1980, 250)));
+    click(patternPixel(Vec2(2320, 250))); // the middle of the line lies between the arms
+    key(Qt::Key_Return);
+    EXPECT_EQ(patchCount(), before);
+    const auto words = window.statusLine().findChildren<ElidedLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(words, [](const ElidedLabel* label) {
+        return label->fullText() == "The line must cross the outline of Arms exactly twice, not 4 times.";
+    }));
+}
+
 TEST_F(PatternTest, WhatAnEditTakesAwayBesidesIsSaidUntilTheNextOne)
 {
     key(Qt::Key_K);

@@ -7,6 +7,7 @@
 #include "FollowEdits.h"
 #include "LayoutEdits.h"
 #include "MeasurementEdits.h"
+#include "OutlineCrossings.h"
 #include "OutlineEdits.h"
 #include "PatchEdits.h"
 #include "PatchMerge.h"
@@ -161,6 +162,51 @@ TEST_F(SplitMerge, DividesFixationsAndHandles)
     EXPECT_LT((handles[left]->curve.points().back() - Vec2(200, 300)).norm(), 1e-6);
     EXPECT_LT((handles[left]->target.points().back() - Vec3(200, 300, 40)).norm(), 1e-6);
     EXPECT_LT((handles[seat]->target.points().front() - Vec3(200, 300, 40)).norm(), 1e-6);
+}
+
+/// What the parts cover of the handle, and that they lie where it lay.
+void expectPartsOf(const Design& after, const HandleCurve& whole, int count)
+{
+    double length = 0, onTarget = 0;
+    after.each<HandleCurve>([&](ElementId, const HandleCurve& part) {
+        const Patch* patch = after.find<Patch>(part.patch);
+        ASSERT_TRUE(patch);
+        const ArcLength2 here(part.curve);
+        length += here.total();
+        onTarget += ArcLength3(part.target).total();
+        for (int k = 1; k < 8; ++k) {
+            const Vec2 at = part.curve.at(here.parameterAt(here.total() * k / 8));
+            EXPECT_LT(whole.curve.closest(at).distance, 1e-6);
+            EXPECT_TRUE(isInside(patch->outline, at));
+        }
+    });
+    EXPECT_EQ(after.count<HandleCurve>(), count);
+    EXPECT_NEAR(length, ArcLength2(whole.curve).total(), 1e-6);
+    EXPECT_NEAR(onTarget, ArcLength3(whole.target).total(), 1e-6);
+}
+
+TEST_F(SplitMerge, DividesHandlesWhereverTheyCrossTheCut)
+{
+    HandleCurve zigzag = *design.find<HandleCurve>(lumbar);
+    zigzag.curve = BSpline2(1, false, {{100, 150}, {200, 350}, {300, 150}, {400, 350}});
+    zigzag.target = BSpline3(1, false, {{0, 0, 0}, {30, 40, 0}, {60, 80, 0}, {90, 120, 0}});
+    const Design start = design.with({{}, {{lumbar, nullptr, makeElement(zigzag)}}});
+    const Outcome outcome = splitPatch(start, seat, {{-100, 270}, {900, 270}}); // at y = 250 of the seat
+    EXPECT_TRUE(outcome.dropped.empty());
+    expectPartsOf(start.with(outcome.edit), zigzag, 4);
+}
+
+TEST_F(SplitMerge, DividesRingsThatCrossTheCut)
+{
+    HandleCurve ring = *design.find<HandleCurve>(lumbar);
+    ring.curve = BSpline2(1, true, {{100, 150}, {400, 150}, {400, 350}, {100, 350}});
+    ring.target = BSpline3(1, true, {{0, 0, 0}, {30, 0, 0}, {30, 20, 0}, {0, 20, 0}});
+    const Design start = design.with({{}, {{lumbar, nullptr, makeElement(ring)}}});
+    for (const double x : {160.0, 330.0}) {
+        const Outcome outcome = splitPatch(start, seat, {{x, 0}, {x, 500}});
+        EXPECT_TRUE(outcome.dropped.empty());
+        expectPartsOf(start.with(outcome.edit), ring, 2);
+    }
 }
 
 TEST_F(SplitMerge, StubsOfHandlesThatAreTooShortGo)

@@ -260,6 +260,12 @@ TEST(PatternFit, StrainComesBelowItsLimit)
     const double height = result.design.find<Patch>(patch)->outline.boundingBox().sizes().y();
     EXPECT_GT(height, 210 / 1.025);
     EXPECT_LT(height, 210) << "no more than need be";
+
+    order.goals.limit = 20;
+    const FitResult none = fitPattern(b.design(), order);
+    EXPECT_EQ(none.status, FitResult::Status::NothingToDo) << "it is below that";
+    EXPECT_TRUE(none.rounds.empty());
+    EXPECT_EQ(none.design, b.design());
 }
 
 } // namespace

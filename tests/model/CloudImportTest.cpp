@@ -1,4 +1,5 @@
 #include "CloudImport.h"
+#include "FormImport.h"
 #include "Lzf.h"
 #include "TestFiles.h"
 
@@ -38,6 +39,21 @@ TEST_F(CloudImportTest, PointsWithoutAPlaceAreCounted)
     EXPECT_EQ(importCloud(write("c.xyz", "nan nan nan\n")).problem.english(),
               "c.xyz: none of its 1 points has a place");
     EXPECT_TRUE(importCloud(write("b.xyz", "1 2 3\n-4 0.5 6\n")).warning.empty());
+}
+
+TEST_F(CloudImportTest, ADamagedMeshIsNoCloud)
+{
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 nan\n";
+    const ImportedForm damaged = importForm(write("damaged.obj", corners + "f 1 2 3\n"));
+    EXPECT_FALSE(damaged.mesh || damaged.cloud);
+    EXPECT_EQ(damaged.problem.english().find("damaged.obj:3"), 0u) << damaged.problem.english();
+    const ImportedForm mesh = importForm(write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    EXPECT_TRUE(mesh.mesh && !mesh.cloud && mesh.problem.empty());
+    for (const auto& [name, bytes] : {std::pair("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"),
+                                      std::pair("points.xyz", "0 0 0\n1 0 0\n0 1 0\n")}) {
+        const ImportedForm points = importForm(write(name, bytes));
+        EXPECT_TRUE(points.cloud && !points.mesh) << points.problem.english();
+    }
 }
 
 TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)

@@ -2,6 +2,7 @@
 #include "CoverSetup.h"
 #include "Crosshair.h"
 #include "Document.h"
+#include "ElementEdits.h"
 #include "Picture.h"
 #include "PointerNote.h"
 #include "Selection.h"
@@ -512,6 +513,20 @@ TEST_F(CoverViewTest, ShowingAllOnTheWayToAViewArrivesThere)
     view.navigation().fitAll(); // as soon as a cover that nothing holds is there
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return view.navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
+}
+
+TEST_F(CoverViewTest, WhatComesBackIsSeenFromWhereItWasSeen)
+{
+    const Camera before = view.navigation().camera();
+    std::vector<ElementId> all;
+    for (const auto& [id, element] : document.design().elements())
+        all.push_back(id);
+    document.commit(edits::removeElements(document.design(), all));
+    view.shown().setSurface(nullptr);
+    document.undo(); // the curves are there at once, the cover comes later
+    EXPECT_EQ(view.navigation().camera(), before);
+    view.shown().setSurface(twoSquaresCover());
+    EXPECT_EQ(view.navigation().camera(), before);
 }
 
 TEST_F(CoverViewTest, CubeTurnsTheView)

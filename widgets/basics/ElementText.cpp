@@ -110,6 +110,22 @@ QString listName(const Design& design, ElementId id)
     return name.isEmpty() ? displayName(design, id) : isolated(name);
 }
 
+QString inShortLines(const QString& text)
+{
+    constexpr qsizetype longest = 90;
+    QStringList lines;
+    for (QString rest : text.split(u'\n')) {
+        while (rest.size() > longest) {
+            const qsizetype space = rest.lastIndexOf(u' ', longest);
+            const qsizetype end = space > 0 ? space : longest;
+            lines << rest.left(end);
+            rest = rest.mid(space > 0 ? end + 1 : end);
+        }
+        lines << rest;
+    }
+    return lines.join(u'\n');
+}
+
 QString countedText(const Design& design, std::span<const ElementId> ids)
 {
     if (ids.size() == 1)

@@ -46,6 +46,8 @@ QString kindIcon(ElementKind kind);
 QString displayName(const Design& design, ElementId id);
 /// The same for lists, which cut by themselves what is too long: a name is whole.
 QString listName(const Design& design, ElementId id);
+/// For tool tips, which break no lines by themselves: of 90 letters at most.
+QString inShortLines(const QString& text);
 /// "3 patches", or "3 elements" if they are of different kinds; of a single one its name.
 QString countedText(const Design& design, std::span<const ElementId> ids);
 /// The same for the words of an edit, which are kept: the number in English, as `translated` takes it.

@@ -63,10 +63,9 @@ private:
         const QPalette palette = QGuiApplication::palette();
         if (mode == QIcon::Disabled)
             return palette.color(QPalette::Disabled, QPalette::ButtonText);
-        if (m_color.isValid())
-            return m_color;
-        return palette.color(QPalette::Active,
-                             mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText);
+        if (mode == QIcon::Selected)
+            return palette.color(QPalette::Active, QPalette::HighlightedText);
+        return m_color.isValid() ? m_color : palette.color(QPalette::Active, QPalette::ButtonText);
     }
 
     QString m_name;

@@ -218,6 +218,7 @@ private:
 
     void explain(const DescribedField& said) const
     {
+        m_form->nameRow(QStringLiteral("field.") + QString::fromUtf8(said.field.key));
         if (const QString tip = said.tip(); !tip.isEmpty())
             m_form->explain(tip);
     }

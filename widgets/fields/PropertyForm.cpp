@@ -560,11 +560,25 @@ void PropertyForm::addButton(const QString& text, const std::function<void()>& p
     m_layout->addRow(button);
 }
 
-void PropertyForm::explain(const QString& tip)
+std::vector<QWidget*> PropertyForm::lastRow() const
 {
+    std::vector<QWidget*> widgets;
     for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole, QFormLayout::SpanningRole})
         if (const QLayoutItem* item = m_layout->itemAt(m_layout->rowCount() - 1, role); item && item->widget())
-            item->widget()->setToolTip(tip);
+            widgets.push_back(item->widget());
+    return widgets;
+}
+
+void PropertyForm::explain(const QString& tip)
+{
+    for (QWidget* widget : lastRow())
+        widget->setToolTip(tip);
+}
+
+void PropertyForm::nameRow(const QString& name)
+{
+    for (QWidget* widget : lastRow())
+        widget->setObjectName(name);
 }
 
 } // namespace bolster

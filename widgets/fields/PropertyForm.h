@@ -69,6 +69,8 @@ public:
     void addButton(const QString& text, const std::function<void()>& pressed);
     /// What the row that was added last does, for who waits with the pointer over it.
     void explain(const QString& tip);
+    /// By which the manual knows it.
+    void nameRow(const QString& name);
 
     void refresh();
     /// The keyboard goes to the first field that takes it, its text selected.
@@ -77,6 +79,8 @@ public:
 private:
     void addField(const QString& label, QWidget* field, std::function<void()> show);
     void addLabelAbove(const QString& label, QWidget* field);
+    /// Label and field.
+    std::vector<QWidget*> lastRow() const;
 
     QFormLayout* m_layout;
     std::vector<std::function<void()>> m_shows;

@@ -55,7 +55,10 @@ void SettingsForm::addSymmetry(PropertyForm& form, const InspectorSubject<Settin
             settings.change(verb,
                             [on](Settings& s) { s.symmetry = on ? std::optional(Symmetry()) : std::nullopt; });
         });
-    const auto row = [&](const QString& label, const NumberBox::Range& range, int count, auto member) {
+    form.explain(tr("Twins follow each other across a plane in the 3D view, and across an axis in the pattern. "
+                    "With this mark they are those below; without it they are in the middle, left from right."));
+    const auto row = [&](const QString& label, const QString& tip, const NumberBox::Range& range, int count,
+                         auto member) {
         form.addNumbers(
             label, range, count, [settings, member](int i) { return (symmetryOf(settings.design()).*member)[i]; },
             [settings, member, verb](int i, double value) {
@@ -64,11 +67,14 @@ void SettingsForm::addSymmetry(PropertyForm& form, const InspectorSubject<Settin
                     ((*s.symmetry).*member)[i] = value;
                 });
             });
+        form.explain(tip);
     };
-    row(tr("Plane through"), lengthRange, 3, &Symmetry::planePoint);
-    row(tr("Normal"), directionRange, 3, &Symmetry::planeNormal);
-    row(tr("Axis through"), lengthRange, 2, &Symmetry::axisPoint);
-    row(tr("Direction"), directionRange, 2, &Symmetry::axisDirection);
+    row(tr("Plane through"), tr("A point of the plane in which the cover is mirrored"), lengthRange, 3,
+        &Symmetry::planePoint);
+    row(tr("Normal"), tr("The direction straight out of that plane"), directionRange, 3, &Symmetry::planeNormal);
+    row(tr("Axis through"), tr("A point of the line of the pattern at which patches are mirrored"), lengthRange, 2,
+        &Symmetry::axisPoint);
+    row(tr("Direction"), tr("The direction of that line"), directionRange, 2, &Symmetry::axisDirection);
 }
 
 } // namespace bolster

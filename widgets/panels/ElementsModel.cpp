@@ -3,6 +3,7 @@
 #include "CornerWay.h"
 #include "Document.h"
 #include "ElementEdits.h"
+#include "ElementText.h"
 #include "Hiding.h"
 #include "Icons.h"
 #include "PatchMark.h"
@@ -224,7 +225,7 @@ QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) 
             lines << tr("Hidden in the 3D view");
         lines << row.note;
         lines.removeAll(QString());
-        return lines.join(u'\n');
+        return inShortLines(lines.join(u'\n'));
     }
     case NoteRole:
         return row.note;

@@ -1,5 +1,7 @@
 #include "HistoryModel.h"
 
+#include "ElementText.h"
+
 #include "Document.h"
 #include "Translated.h"
 
@@ -198,7 +200,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return text(row.node);
     case Qt::ToolTipRole:
-        return toolTip(row.node);
+        return inShortLines(toolTip(row.node));
     case Qt::EditRole:
     case NameRole:
         return QString::fromStdString(m_document.history().node(row.node).name);

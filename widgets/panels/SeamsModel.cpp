@@ -223,7 +223,7 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const
         return index.column() == MatchColumn ? static_cast<int>(seam(row).match)
                                              : static_cast<int>(seam(row).continuity);
     case Qt::ToolTipRole:
-        return toolTip(row);
+        return inShortLines(toolTip(row));
     case Qt::TextAlignmentRole:
         return QVariant(Qt::AlignVCenter | (number                               ? Qt::AlignRight
                                             : index.column() == ContinuityColumn ? Qt::AlignHCenter

@@ -90,9 +90,9 @@ QString ManualCommands::placeNow() const
                 if (const QString place = m_places.ofCommand(tool->objectName()); !place.isEmpty())
                     return place;
     for (const QWidget* part = focus; part; part = part->parentWidget())
-        if (qobject_cast<const Inspector*>(part))
-            if (const QString place = m_places.ofCommand(m_subject()); !place.isEmpty())
-                return place;
+        for (const QString& name : {part->objectName(), qobject_cast<const Inspector*>(part) ? m_subject() : ""})
+            if (const QString place = m_places.ofCommand(name); !place.isEmpty())
+                return place; // of a field, or of what is selected
     const QString place = m_places.ofWidget(focus ? focus : QApplication::activeWindow());
     return place.isEmpty() ? ManualPlaces::first() : place;
 }

@@ -199,6 +199,12 @@ void readFreedoms(const Arguments& arguments, const OpenedDesign& opened, Asked&
                 asked.order.freedoms.push_back(std::move(freedom));
     };
     const std::vector<std::string> words = wordsOf(text, "--freedom");
+    constexpr std::array known{"outlines", "seams", "ease", "foam", "fixations", "pressure", "stretch"};
+    for (const std::string& word : words)
+        if (std::ranges::find(known, word) == known.end())
+            throw UsageError(
+                "--freedom knows outlines, seams, ease, foam, fixations, pressure and stretch, not \"" + word +
+                "\"");
     // Each once, and always in the same order: how they are written must not matter.
     const auto takes = [&](const char* word) { return std::ranges::find(words, word) != words.end(); };
     if (takes("outlines"))
@@ -214,12 +220,6 @@ void readFreedoms(const Arguments& arguments, const OpenedDesign& opened, Asked&
     if (takes("seams"))
         add(seamEndFreedoms(design));
     asked.order.locks.ease = !takes("ease");
-    constexpr std::array known{"outlines", "seams", "ease", "foam", "fixations", "pressure", "stretch"};
-    for (const std::string& word : words)
-        if (std::ranges::find(known, word) == known.end())
-            throw UsageError(
-                "--freedom knows outlines, seams, ease, foam, fixations, pressure and stretch, not \"" + word +
-                "\"");
     if (asked.order.freedoms.empty() && !asked.order.locks.ease)
         throw UsageError("--freedom ease: sides of seams come to differ when outlines may change, too: "
                          "--freedom outlines,ease");
@@ -340,7 +340,8 @@ void printOutcome(const FitOrder& order, const FitResult& result)
     if (result.jumped)
         printError("warning: a fold came or went on the way, so the result is less sure: look at the cover");
     if (result.status == FitResult::Status::NothingToDo)
-        printError("warning: no change makes it better; the design is written as it was");
+        printError(result.rounds.empty() ? "warning: nothing is over the limits; the design is written as it was"
+                                         : "warning: no change makes it better; the design is written as it was");
 }
 
 } // namespace

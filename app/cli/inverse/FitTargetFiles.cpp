@@ -1,19 +1,9 @@
 #include "FitTargetFiles.h"
 
-#include "CloudImport.h"
+#include "FormImport.h"
 #include "LengthUnits.h"
-#include "MeshImport.h"
 
 namespace bolster::cli {
-
-namespace {
-
-std::string textOf(const Message& problem)
-{
-    return problem.empty() ? "interrupted" : problem.english();
-}
-
-} // namespace
 
 FitTarget targetIn(const QString& path, const Arguments& arguments, const std::stop_token& stop)
 {
@@ -27,8 +17,8 @@ FitTarget targetIn(const QString& path, const Arguments& arguments, const std::s
         }
         return points;
     };
-    const ImportedMesh read = importMesh(path, {stop, {}, {}});
-    if (read.mesh && !read.mesh->triangles.empty()) {
+    const ImportedForm read = importForm(path, {stop, {}, {}});
+    if (read.mesh) {
         TriangleMesh mesh = *read.mesh;
         mesh.points = upright(std::move(mesh.points));
         FitTarget target = targetOf(mesh);
@@ -36,10 +26,10 @@ FitTarget targetIn(const QString& path, const Arguments& arguments, const std::s
             throw UsageError(path.toStdString() + ": it has no triangle with an area");
         return target;
     }
-    const ImportedCloud cloud = importCloud(path, {stop, {}, {}});
-    if (!cloud.cloud)
-        throw UsageError(path.toStdString() + ": " + textOf(read.mesh ? cloud.problem : read.problem));
-    PointCloud points = *cloud.cloud;
+    if (!read.cloud)
+        throw UsageError(path.toStdString() + ": " +
+                         (read.problem.empty() ? "interrupted" : read.problem.english()));
+    PointCloud points = *read.cloud;
     points.points = upright(std::move(points.points));
     return targetOf(Scan{}, points);
 }

@@ -186,7 +186,9 @@ int flattenForm(std::span<const std::string> words)
     if (arguments.has("--along")) {
         const OpenedDesign lines = openedShown(arguments.path("--along"));
         if (!lines.readable)
-            throw UsageError("--along: " + arguments.path("--along").toStdString() + " cannot be read");
+            throw UsageError("--along: " + (lines.problems.empty()
+                                                ? arguments.path("--along").toStdString() + " cannot be read"
+                                                : lines.problems.front().english()));
         for (const Problem& problem : lines.problems)
             if (problem.severity == Severity::Error && problem.element != settingsId)
                 printError("warning: --along: " + problem.english());

@@ -1,11 +1,19 @@
 #include "Arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <type_traits>
 
 namespace bolster::cli {
 namespace {
+
+template <class Number>
+std::string textOf(Number value)
+{
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
 
 /// Refuses numbers with anything behind them, too, and NaN through the comparison.
 template <class Number>
@@ -14,13 +22,14 @@ Number parsed(std::string_view option, const std::string& text, Number least, Nu
     Number value{};
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const std::string range = " (" + textOf(least) + " to " + textOf(most) + ")";
     if (error == std::errc::result_out_of_range && stop == end)
-        throw UsageError(std::string(option) + " cannot be " + text);
+        throw UsageError(std::string(option) + " cannot be " + text + range);
     if (error != std::errc() || stop != end)
         throw UsageError(std::string(option) + " needs a " +
                          (std::is_integral_v<Number> ? "whole number" : "number") + ", not \"" + text + "\"");
     if (!(value >= least && value <= most))
-        throw UsageError(std::string(option) + " cannot be " + text);
+        throw UsageError(std::string(option) + " cannot be " + text + range);
     return value;
 }
 

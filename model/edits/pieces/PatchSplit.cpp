@@ -69,7 +69,7 @@ public:
         m_builder.add(Seam{m_large.cut(), m_small.cut(), true, Match::Length, Continuity::C1});
         for (const auto& [id, element] : m_design.elements())
             if (const PatchCurve* drawn = patchCurve(*element); drawn && drawn->patch == m_id)
-                divide(id, *element, outcome.dropped);
+                divide(id, *element);
         movePatchPoints(
             m_design.elements(), m_id,
             [&](PatchPoint& point) {
@@ -112,7 +112,7 @@ private:
         return inside > 0 || (inside == 0 && nearer);
     }
 
-    void divide(ElementId id, const Element& element, std::vector<ElementId>& dropped)
+    void divide(ElementId id, const Element& element)
     {
         const BSpline2& curve = patchCurve(element)->curve;
         std::vector<double> crossings;
@@ -133,12 +133,8 @@ private:
             moveTo(id, element, first > 0 ? m_small.id : m_id);
         else if (!handle)
             addTo(element, m_small.id);
-        else if (crossings.size() == 1 && !curve.closed())
-            divideHandle(id, *handle, crossings.front(), first > 0);
-        else {
-            m_builder.remove(id);
-            dropped.push_back(id);
-        }
+        else
+            divideHandle(id, *handle, crossings, first > 0);
     }
 
     double crossing(const BSpline2& curve, double low, double high, int after) const
@@ -172,42 +168,57 @@ private:
             element);
     }
 
-    /// Both parts keep what they lie on in space.
-    void divideHandle(ElementId id, const HandleCurve& handle, double at, bool beginsInSmall)
+    /// All parts keep what they lie on in space. The first one that can be drawn takes the handle's place.
+    void divideHandle(ElementId id, const HandleCurve& handle, std::vector<double> cuts, bool inSmall)
     {
         const BSpline2& curve = handle.curve;
+        if (curve.closed()) {
+            cuts.push_back(cuts.front()); // past the start
+            inSmall = !inSmall;
+        } else {
+            cuts.insert(cuts.begin(), curve.domainStart());
+            cuts.push_back(curve.domainEnd());
+        }
         const ArcLength2 length(curve);
-        const double lengthShare = length.at(at) / length.total();
-        const double share =
-            handle.match == Match::Length ? lengthShare : (at - curve.domainStart()) / curve.period();
-        HandleCurve one = handle, two = handle;
-        one.curve = curve.part(curve.domainStart(), at);
-        two.curve = curve.part(at, curve.domainEnd());
-        one.orientation = partOf(handle.orientation, 0, lengthShare);
-        two.orientation = partOf(handle.orientation, lengthShare, 1);
+        std::vector<HandleCurve> parts;
+        double longest = 0;
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k, inSmall = !inSmall) {
+            parts.push_back(partOfHandle(handle, length, cuts[k], cuts[k + 1]));
+            parts.back().patch = inSmall ? m_small.id : m_id;
+            longest = std::max(longest, ArcLength2(parts.back().curve).total());
+        }
+        // What is shorter than the mesh edges could not be drawn.
+        const double least = std::min(m_design.settings().edgeLength, longest);
+        const auto tooShort = [&](const HandleCurve& part) { return ArcLength2(part.curve).total() < least; };
+        if (std::erase_if(parts, tooShort) > 0)
+            m_shortened.push_back(id);
+        for (std::size_t k = 1; k < parts.size(); ++k) {
+            parts[k].name = m_handles.free(handle.name);
+            m_builder.add(std::move(parts[k]));
+        }
+        m_builder.replace(id, std::move(parts.front()));
+    }
+
+    /// From `from` to `to`, which may lie past the start of a closed one.
+    static HandleCurve partOfHandle(const HandleCurve& handle, const ArcLength2& length, double from, double to)
+    {
+        const BSpline2& curve = handle.curve;
+        const auto lengthShare = [&](double t) { return length.at(t) / length.total(); };
+        HandleCurve part = handle;
+        part.curve = curve.part(from, to);
+        const double until = to > from ? lengthShare(to) : lengthShare(to) + 1;
+        part.orientation = partOf(handle.orientation, lengthShare(from), until);
         if (handle.hasTarget()) {
             const BSpline3& target = handle.target;
             const ArcLength3 there(target);
-            const double cut = handle.match == Match::Length ? there.parameterAt(share * there.total())
-                                                             : target.domainStart() + share * target.period();
-            one.target = target.part(target.domainStart(), cut);
-            two.target = target.part(cut, target.domainEnd());
+            const auto onTarget = [&](double t) {
+                return handle.match == Match::Length
+                           ? there.parameterAt(lengthShare(t) * there.total())
+                           : target.domainStart() + (t - curve.domainStart()) / curve.period() * target.period();
+            };
+            part.target = target.part(onTarget(from), onTarget(to));
         }
-        one.patch = beginsInSmall ? m_small.id : m_id;
-        two.patch = beginsInSmall ? m_id : m_small.id;
-        // What is shorter than the mesh edges could not be drawn.
-        const double first = length.at(at), rest = length.total() - first, least = m_design.settings().edgeLength;
-        if (first < least || rest < least)
-            m_shortened.push_back(id);
-        if (first < least && rest >= least) {
-            m_builder.replace(id, std::move(two));
-            return;
-        }
-        if (rest >= least || first < least) { // both: it was too short before
-            two.name = m_handles.free(handle.name);
-            m_builder.add(std::move(two));
-        }
-        m_builder.replace(id, std::move(one));
+        return part;
     }
 
     const Design& m_design;

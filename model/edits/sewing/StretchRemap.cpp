@@ -327,7 +327,9 @@ Orientation partOf(const Orientation& orientation, double from, double to)
     Orientation part = orientation;
     for (std::size_t k = 0; k < count; ++k) {
         const double share = static_cast<double>(k) / static_cast<double>(count - 1);
-        const Vec3 direction = orientation.at(std::clamp((1 - share) * from + share * to, 0.0, 1.0));
+        const double along = (1 - share) * from + share * to;
+        const double once = to > 1.001 && along > 1 ? along - 1 : along;
+        const Vec3 direction = orientation.at(std::clamp(once, 0.0, 1.0));
         if (direction.norm() > 0)
             part.directions[k] = direction;
     }

@@ -1,5 +1,7 @@
 #include "MeshBuilder.h"
 
+#include "MeshReaders.h"
+
 #include "PlaceHash.h"
 #include "PolygonSplit.h"
 
@@ -170,9 +172,7 @@ MeshBuilder::Part& MeshBuilder::currentPart(FilePlace place)
 TriangleMesh MeshBuilder::finish()
 {
     if (m_triangleCount == 0)
-        refuseFile({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh")
-                                        : QT_TRANSLATE_NOOP(
-                                              "Message", "%1 holds points only; a frame needs faces between them"));
+        refuseFile({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh") : holdsPointsOnly);
     TriangleMesh mesh;
     mesh.triangles.reserve(m_triangleCount);
     for (Part& part : m_parts) {
@@ -182,6 +182,11 @@ TriangleMesh MeshBuilder::finish()
         std::vector<std::array<std::uint32_t, 3>>().swap(part.triangles); // never twice in memory
     }
     mesh.points = std::move(m_points);
+    const bool flat = std::ranges::none_of(mesh.triangles, [&](const auto& t) {
+        return (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm() > 0;
+    });
+    if (flat) // a cover would have nothing to lie on
+        refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1: none of its triangles has an area"));
     dropUnusedPoints(mesh);
     return mesh;
 }

@@ -2,9 +2,14 @@
 #pragma once
 
 #include "FileBytes.h"
+#include "Message.h"
 #include "TriangleMesh.h"
 
 namespace bolster {
+
+/// Why a file that may hold a mesh is refused though it can be read.
+inline constexpr auto* holdsPointsOnly =
+    QT_TRANSLATE_NOOP("Message", "%1 holds points only; a frame needs faces between them");
 
 TriangleMesh readObj(const FileBytes& bytes); ///< Wavefront: v, f, and g or o as parts
 TriangleMesh readPly(const FileBytes& bytes); ///< text and binary of both byte orders

@@ -50,7 +50,7 @@ TriangleMesh readPly(const FileBytes& bytes)
     const PlyHeader header = readPlyHeader(text);
     const PlyElement* faces = header.find("face");
     if (!faces || faces->count == 0)
-        refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 holds points only; a frame needs faces between them"));
+        refuseFile({}, holdsPointsOnly);
 
     PlyBody body(header, bytes, text);
     MeshBuilder mesh;

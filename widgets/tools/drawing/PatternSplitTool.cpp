@@ -2,6 +2,7 @@
 
 #include "Document.h"
 #include "DrawingKeys.h"
+#include "OutlineCrossings.h"
 #include "PatchSplit.h"
 #include "Selection.h"
 #include "Translated.h"
@@ -128,7 +129,8 @@ Vec2 PatternSplitTool::snapped(const PatternPointer& pointer) const
     return best;
 }
 
-/// Of the patch that the line's middle lies in; else of the first one that it splits.
+/// Of the patch that the line's middle lies in; else of the first one that it splits, or could if it crossed it
+/// twice.
 edits::Outcome PatternSplitTool::outcome(const std::vector<Vec2>& line) const
 {
     const Design& design = m_context.document().design();
@@ -140,9 +142,18 @@ edits::Outcome PatternSplitTool::outcome(const std::vector<Vec2>& line) const
     edits::Outcome first = edits::splitPatch(design, drawn ? drawn->patch : hit.patch, line);
     if (!first.edit.empty() || (element && design.find<Patch>(hit.patch)))
         return first;
-    for (const auto& entry : m_context.scene().patches())
-        if (edits::Outcome other = edits::splitPatch(design, entry.first, line); !other.edit.empty())
+    for (const auto& entry : m_context.scene().patches()) {
+        edits::Outcome other = edits::splitPatch(design, entry.first, line);
+        if (!other.edit.empty())
             return other;
+        if (entry.second.patch().outline.empty())
+            continue;
+        std::vector<Vec2> there;
+        for (const Vec2& point : line)
+            there.push_back(fromLayout(entry.second.patch(), point));
+        if (!edits::outlineCrossings(entry.second.patch().outline, there).empty())
+            first = std::move(other); // it says how often
+    }
     return first;
 }
 

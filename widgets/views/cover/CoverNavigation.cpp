@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace bolster {
 
@@ -75,6 +77,7 @@ void CoverNavigation::flyTo(const Camera& camera)
 void CoverNavigation::returnTo(const Viewpoint& view)
 {
     m_returned = true;
+    m_seen = Box3();
     setCamera(Camera{view, m_camera.size});
 }
 
@@ -104,6 +107,7 @@ double CoverNavigation::frontSide() const
 void CoverNavigation::setStandardView(StandardView view)
 {
     m_returned = false;
+    m_seen = Box3();
     Camera camera = destination();
     camera.look(view);
     if (view == StandardView::ThreeQuarter)
@@ -147,14 +151,26 @@ void CoverNavigation::fitSelection()
 
 void CoverNavigation::catchUp()
 {
+    const Box3& box = m_shown.scene().box;
     if (m_shown.empty()) {
         m_fitPending = !m_returned;
     } else if (m_fitPending && m_view.width() > 1 && m_view.isVisible()) {
         m_fitPending = false;
-        m_camera.look(StandardView::ThreeQuarter);
-        m_camera.azimuth += frontSide();
-        m_camera.fit(m_shown.scene().box);
+        if (!comesBack(box)) {
+            m_camera.look(StandardView::ThreeQuarter);
+            m_camera.azimuth += frontSide();
+            m_camera.fit(box);
+        }
     }
+    if (!m_shown.empty())
+        m_seen.extend(box);
+}
+
+/// All was deleted, and some of that is there again: who undoes wants to see it from where it was seen.
+bool CoverNavigation::comesBack(const Box3& box) const
+{
+    constexpr double notTiny = 0.2; // of what was there
+    return !m_seen.isEmpty() && m_seen.contains(box) && box.diagonal().norm() > notTiny * m_seen.diagonal().norm();
 }
 
 bool CoverNavigation::inPicture(const Box3& box) const
@@ -167,14 +183,40 @@ bool CoverNavigation::inPicture(const Box3& box) const
     return true;
 }
 
+bool CoverNavigation::sees(const Camera& camera, const Vec3& place) const
+{
+    const std::optional<Vec2> pixel = camera.pixel(place);
+    if (!pixel || !QRectF(m_view.rect()).contains(pixel->x(), pixel->y()))
+        return false;
+    constexpr double near = 5; // mm: the pixel may be that of what lies beside it
+    const CoverHit hit = m_shown.hits().hitSolid(camera, {pixel->x(), pixel->y()});
+    return !hit || camera.depth(hit.position) > camera.depth(place) - near;
+}
+
+/// First it is moved, then turned as little as needed.
 void CoverNavigation::reveal(const Vec3& place)
 {
-    const std::optional<Vec2> pixel = m_camera.pixel(place);
-    if (pixel && QRectF(m_view.rect()).contains(pixel->x(), pixel->y()))
+    if (sees(m_camera, place))
         return;
-    Camera camera = m_camera;
-    camera.target = place;
-    goTo(camera);
+    Camera there = m_camera;
+    const std::optional<Vec2> pixel = there.pixel(place);
+    if (!pixel || !QRectF(m_view.rect()).contains(pixel->x(), pixel->y()))
+        there.target = place;
+    constexpr double step = 30 * std::numbers::pi / 180;
+    const Vec3 pivot = there.target == place ? place : middle();
+    Camera best = there;
+    double least = std::numeric_limits<double>::infinity();
+    for (int sideways = -5; sideways <= 6; ++sideways)
+        for (int up = -4; up <= 4; ++up) {
+            const double way = std::abs(sideways) + 1.5 * std::abs(up);
+            Camera turned = there;
+            turned.orbit(sideways * step, up * step, pivot);
+            if (way < least && sees(turned, place)) {
+                least = way;
+                best = turned;
+            }
+        }
+    goTo(best);
 }
 
 Vec3 CoverNavigation::middle() const

@@ -39,7 +39,7 @@ public:
     bool perspective() const { return m_camera.perspective; }
     /// All of the box can be seen, but for what stands in front of it.
     bool inPicture(const Box3& box) const;
-    /// Moves the picture if the place (mm) is not in it.
+    /// Turns or moves the picture if the place (mm) is behind something or not in it.
     void reveal(const Vec3& place);
 
     /// About the middle of the scene; radians.
@@ -72,6 +72,8 @@ private:
     void goTo(const Camera& camera);
     Camera destination() const;
     double frontSide() const;
+    bool sees(const Camera& camera, const Vec3& place) const;
+    bool comesBack(const Box3& box) const;
 
     const ShownScene& m_shown;
     const QWidget& m_view;
@@ -79,6 +81,7 @@ private:
     bool m_fitPending = true; ///< until there is something to see and a size
     bool m_animated = true;
     bool m_returned = false; ///< the view was given, and no other was asked for since
+    Box3 m_seen;             ///< where there has been something since the design was opened, mm
     QVariantAnimation m_flight;
     Camera m_from, m_to; ///< of the flight
 };
