@@ -18,6 +18,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <string_view>
 
@@ -86,6 +87,7 @@ int refuse(int argc, char** argv, const bolster::Message& problem)
 int main(int argc, char* argv[])
 {
     using namespace bolster;
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not become larger is a write that fails, and is said
     QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
     const bool portable = takePortable(argc, argv);

@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>Bis</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>Eine Füllung, die von innen drückt. 0,05 bis 0,3 füllt ein Kissen; bei 1 werden die meisten Stoffe zu weit gedehnt.</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>Wie lang die Kanten der Dreiecke sind: Kürzere zeigen kleinere Falten und brauchen mehr Zeit.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2276,10 +2284,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>Hier ist keine Kante eines Gestells.</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>Fixierung %1</translation>
     </message>
@@ -2290,6 +2294,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>Klicken, um aus dieser Kante eine Fixierkurve zu machen – Strg nimmt sie allein, ohne die, in denen sie glatt weitergeht</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>Hier ist keine Kante eines Gestells. Eine eigene Kurve: Gestell &gt; Fixierkurve zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -4865,18 +4873,6 @@
         <translation>der Kontakt bewirkt nichts: in Schritten von %1 mm findet er kein Inneres des Gestells; es ist dünner oder so offen, dass es keines hat; schließen Sie das Gestell, oder machen Sie es dicker</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 ist längs des Fadenlaufs um %2 % gedehnt, der Stoff verträgt %3 %</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 ist quer zum Fadenlauf um %2 % gedehnt, der Stoff verträgt %3 %</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 ist um %2 % geschert, der Stoff verträgt %3 %</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 liegt in Falten: es ist mehr Stoff da, als Platz hat</translation>
     </message>
@@ -5944,6 +5940,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>Wo ein Stück ein Loch hätte oder ein Ring wäre, ist es aufgeschnitten und wieder genäht, Anzahl der Schnitte: %1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 verläuft am Rand der Form: Da ist nichts zu schneiden</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1 ist längs des Fadenlaufs um %2 % gedehnt, der Stoff verträgt %3 %</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1 ist quer zum Fadenlauf um %2 % gedehnt, der Stoff verträgt %3 %</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1 ist um %2 % geschert, der Stoff verträgt %3 %</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>Die Form hat nur eine Seite, wie ein verdrehtes Band: Wo ihre Außenseite auf die Innenseite trifft, bleibt sie offen</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6524,10 +6540,6 @@
         <translation>bruch brüche zoll imperial 1/16 dezimalen nachkommastellen</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>Gezeigt wird der nächste Teil, gerundet wird dadurch nichts; was dafür zu kurz ist, hat Dezimalen.</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>Dezimalzeichen</translation>
     </message>
@@ -6694,6 +6706,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>Wo Stoffe und ihre Bilder zuerst gesucht werden. Ohne Angabe ist es der Ordner des Entwurfs.</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>Längen bleiben, wie sie sind, und werden auf den nächsten Teil genau gezeigt; was kürzer als einer ist, hat Dezimalen.</translation>
     </message>
 </context>
 <context>
@@ -7077,10 +7093,6 @@
         <translation>%1, zusammen %2</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>Zwillinge folgen einander über eine Ebene in der 3D-Ansicht und über eine Achse im Schnitt. Mit diesem Häkchen sind es die folgenden; ohne es liegen sie in der Mitte, zwischen links und rechts.</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>Ein Punkt der Ebene, an der der Bezug gespiegelt wird</translation>
     </message>
@@ -7095,6 +7107,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>Die Richtung dieser Linie</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>Zwillinge sind Spiegelbilder voneinander. Mit diesem Häkchen bestimmen Sie, wo der Spiegel steht; ohne es steht er in der Mitte zwischen links und rechts.</translation>
     </message>
 </context>
 <context>
@@ -7646,10 +7662,6 @@
         <translation>R&amp;undgang</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>Eine Kurve auf dem Gestell ziehen</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>An den farbigen Kurven auf dem Gestell ist der Stoff abgespannt. Klicken Sie eine davon an, und ziehen Sie dann an einem ihrer Punkte: Der Bezug folgt.</translation>
     </message>
@@ -7736,6 +7748,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>Sie haben gesehen, wie aus Schnitt, Nähten und Gestell der Bezug wird. Beginnen Sie mit einem eigenen Entwurf: Datei &gt; Startseite hat Vorlagen. Was welche Taste tut, steht unter Hilfe &gt; Tasten und Maus.</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>Eine Fixierkurve ziehen</translation>
     </message>
 </context>
 <context>
@@ -9583,6 +9599,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>Wählen Sie oben eine Datei mit einer Form, oder importieren Sie zuerst ein Gestell.</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>Ein Häkchen bei „wo sie sich stärker biegt als“ schneidet sie auch dort.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10445,10 +10465,6 @@
         <translation>%1 von der Form entfernt (quadratisches Mittel)</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>%1 des Bezugs liegen über der Grenze</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Keine Änderung macht es besser.</translation>
     </message>
@@ -10598,6 +10614,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nichts liegt über den Grenzen: Es gibt nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 des Bezugs liegen über der Grenze (vorher: %2), zuerst auf wenigen Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>%1 des Bezugs liegen über der Grenze (vorher: %2)</translation>
     </message>
 </context>
 <context>
@@ -11190,10 +11214,6 @@
         <translation>Es gibt keine freien Kanten, die zusammenzugehören scheinen.</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>Nach Längen, nach Ecken, die sich schließen würden, nach Namen und Richtungen; die sichersten zuerst. Sehen Sie sich jede im Schnitt an, bevor Sie sie nähen.</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>&amp;Wahrscheinliche nähen</translation>
     </message>
@@ -11204,6 +11224,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>Nach Längen, nach Ecken, die sich schließen würden, nach Namen und Richtungen; die sichersten zuerst. Sehen Sie sich jede im Schnitt an, bevor Sie sie nähen.</translation>
     </message>
 </context>
 <context>
@@ -11947,6 +11971,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
     </message>
 </context>
 <context>

@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>Hasta</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>Un relleno que presiona desde dentro. De 0,05 a 0,3 llena un cojín; con 1 la mayoría de las telas se estiran demasiado.</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>Qué longitud tienen las aristas de los triángulos: las más cortas muestran pliegues más pequeños y tardan más.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2276,10 +2284,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>Aquí no hay ninguna arista de un armazón.</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>Fijación %1</translation>
     </message>
@@ -2290,6 +2294,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>Clic para hacer de esta arista una curva de fijación — Ctrl la toma sola, sin aquellas en las que continúa suavemente</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>Aquí no hay ninguna arista de un armazón. Una curva propia: Armazón &gt; Dibujar curva de fijación.</translation>
     </message>
 </context>
 <context>
@@ -4865,18 +4873,6 @@
         <translation>el contacto no hace nada: en pasos de %1&#xa0;mm no encuentra ningún interior del armazón, que es más fino o tan abierto que no lo tiene; cierre el armazón o hágalo más grueso</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 está estirada un %2&#xa0;% al hilo; su tela admite un %3&#xa0;%</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 está estirada un %2&#xa0;% a contrahilo; su tela admite un %3&#xa0;%</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 tiene una cizalladura del %2&#xa0;%; su tela admite un %3&#xa0;%</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 hace pliegues: hay más tela que sitio para ella</translation>
     </message>
@@ -5944,6 +5940,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>Donde una pieza tendría un agujero o sería un anillo se corta y se vuelve a coser, número de cortes: %1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 corre por el borde de la forma: no hay nada que cortar</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1 está estirada un %2&#xa0;% al hilo; su tela admite un %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1 está estirada un %2&#xa0;% a contrahilo; su tela admite un %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1 tiene una cizalladura del %2&#xa0;%; su tela admite un %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>La forma tiene una sola cara, como una banda retorcida: queda abierta donde su exterior se junta con su interior</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6524,10 +6540,6 @@
         <translation>fracción imperial 1/16 decimales pulgada</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>Se muestra la fracción más próxima, sin redondear nada; lo que es demasiado corto para ella lleva decimales.</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>Separador decimal</translation>
     </message>
@@ -6694,6 +6706,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>Dónde se buscan primero las telas y sus imágenes. Si no hay ninguna, es la carpeta del diseño.</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>Las longitudes quedan como son y se muestran hasta la parte más próxima; lo que es más corto que una lleva decimales.</translation>
     </message>
 </context>
 <context>
@@ -7077,10 +7093,6 @@
         <translation>%1, %2 en total</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>Los gemelos se siguen a través de un plano en la vista 3D y de un eje en el patrón. Con esta marca son los de abajo; sin ella están en el medio, entre izquierda y derecha.</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>Un punto del plano en que se refleja la funda</translation>
     </message>
@@ -7095,6 +7107,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>La dirección de esa línea</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>Los gemelos son imágenes reflejadas uno del otro. Con esta marca usted dice dónde está el espejo; sin ella está en el medio, entre izquierda y derecha.</translation>
     </message>
 </context>
 <context>
@@ -7646,10 +7662,6 @@
         <translation>&amp;Recorrido</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>Arrastre una curva del armazón</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>Las curvas de color en el armazón indican dónde se fija la tela. Haga clic en una y arrastre después uno de sus puntos: la funda lo sigue.</translation>
     </message>
@@ -7736,6 +7748,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>Ha visto cómo el patrón, las costuras y el armazón forman la funda. Empiece con un diseño propio: en Archivo &gt; Página inicial hay plantillas. Qué hace cada tecla está en Ayuda &gt; Teclado y ratón.</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>Arrastrar una curva de fijación</translation>
     </message>
 </context>
 <context>
@@ -9583,6 +9599,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>Elija arriba un archivo con una forma, o importe primero un armazón.</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>Una marca en «donde se dobla más de» la corta también allí.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10445,10 +10465,6 @@
         <translation>%1 respecto a la forma (RMS)</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>El %1 de la funda supera el límite</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Ningún cambio lo mejora.</translation>
     </message>
@@ -10598,6 +10614,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nada supera los límites: no hay nada que hacer.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>El %1 de la funda supera el límite (antes: %2), primero con pocos triángulos</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>El %1 de la funda supera el límite (antes: %2)</translation>
     </message>
 </context>
 <context>
@@ -11190,10 +11214,6 @@
         <translation>No hay bordes libres que parezcan ir unidos.</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>Por sus longitudes, las esquinas que se cerrarían, nombres y direcciones; primero las más seguras. Mire cada una en el patrón antes de coserla.</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>Coser &amp;probables</translation>
     </message>
@@ -11204,6 +11224,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>Por sus longitudes, las esquinas que se cerrarían, nombres y direcciones; primero las más seguras. Mire cada una en el patrón antes de coserla.</translation>
     </message>
 </context>
 <context>
@@ -11947,6 +11971,10 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
     </message>
 </context>
 <context>

@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>À</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>Un garnissage qui presse de l’intérieur. 0,05 à 0,3 remplit un coussin&#x202f;; à 1, la plupart des tissus sont trop étirés.</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>La longueur des arêtes des triangles&#x202f;: plus courtes, elles montrent des plis plus petits et demandent plus de temps.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2276,10 +2284,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>Il n’y a pas d’arête d’armature ici.</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>Fixation %1</translation>
     </message>
@@ -2290,6 +2294,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>Cliquez pour faire de cette arête une courbe de fixation – Ctrl la prend seule, sans celles qui la prolongent en douceur</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>Il n’y a pas d’arête d’armature ici. Une courbe à vous&#x202f;: Armature &gt; Dessiner une courbe de fixation.</translation>
     </message>
 </context>
 <context>
@@ -4865,18 +4873,6 @@
         <translation>le contact ne fait rien&#x202f;: par pas de %1&#xa0;mm, il ne trouve pas d’intérieur à l’armature, qui est plus mince, ou trop ouverte pour en avoir un&#x202f;; fermez l’armature, ou épaississez-la</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 est étirée de %2&#x202f;% en droit-fil, son tissu admet %3&#x202f;%</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 est étirée de %2&#x202f;% en travers, son tissu admet %3&#x202f;%</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 est cisaillée de %2&#x202f;%, son tissu admet %3&#x202f;%</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 fait des plis&#x202f;: il y a plus de tissu que de place</translation>
     </message>
@@ -5944,6 +5940,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>Là où une pièce aurait un trou ou serait un anneau, elle est coupée et recousue, nombre de coupes&#x202f;: %1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 suit le bord de la forme&#x202f;: il n’y a rien à couper</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1 est étirée de %2&#x202f;% en droit-fil, son tissu admet %3&#x202f;%</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1 est étirée de %2&#x202f;% en travers, son tissu admet %3&#x202f;%</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1 est cisaillée de %2&#x202f;%, son tissu admet %3&#x202f;%</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>La forme n’a qu’une face, comme une bande torsadée&#x202f;: elle reste ouverte là où l’extérieur rejoint l’intérieur</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6524,10 +6540,6 @@
         <translation>fraction impérial pouce 1/16 décimales</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>La fraction la plus proche est affichée, sans que rien soit arrondi&#x202f;; ce qui est trop court pour elle a des décimales.</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>Séparateur décimal</translation>
     </message>
@@ -6694,6 +6706,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>Où les tissus et leurs images sont cherchés d’abord. Sans indication, c’est le dossier du modèle.</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>Les longueurs restent telles quelles et sont montrées à la fraction la plus proche&#x202f;; ce qui est plus court a des décimales.</translation>
     </message>
 </context>
 <context>
@@ -7077,10 +7093,6 @@
         <translation>%1, %2 en tout</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>Les jumeaux se suivent de part et d’autre d’un plan dans la vue 3D et d’un axe dans le patron. Avec cette coche, ce sont ceux ci-dessous&#x202f;; sans elle, ils sont au milieu, entre gauche et droite.</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>Un point du plan dans lequel la housse est réfléchie</translation>
     </message>
@@ -7095,6 +7107,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>La direction de cette ligne</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>Les jumeaux sont l’image l’un de l’autre dans un miroir. Avec cette coche, vous dites où se trouve le miroir&#x202f;; sans elle, il est au milieu, entre gauche et droite.</translation>
     </message>
 </context>
 <context>
@@ -7646,10 +7662,6 @@
         <translation>&amp;Visite guidée</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>Faire glisser une courbe de l’armature</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>Les courbes colorées sur l’armature sont là où le tissu est fixé. Cliquez sur l’une d’elles, puis faites glisser un de ses points&#x202f;: la housse suit.</translation>
     </message>
@@ -7736,6 +7748,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>Vous avez vu comment patron, coutures et armature font la housse. Commencez un modèle à vous&#x202f;: Fichier &gt; Page d’accueil a des gabarits. Ce que fait chaque touche est sous Aide &gt; Touches et souris.</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>Tirer une courbe de fixation</translation>
     </message>
 </context>
 <context>
@@ -9583,6 +9599,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>Choisissez ci-dessus un fichier avec une forme, ou importez d’abord une armature.</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>Une coche à «&#x202f;là où elle se plie de plus de&#x202f;» la coupe là aussi.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10445,10 +10465,6 @@
         <translation>à %1 de la forme (RMS)</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>%1 de la housse dépasse la limite</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Aucune modification n’améliore le résultat.</translation>
     </message>
@@ -10598,6 +10614,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Rien ne dépasse les limites&#x202f;: il n’y a rien à faire.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 de la housse dépasse la limite (avant&#x202f;: %2), d’abord sur peu de triangles</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>%1 de la housse dépasse la limite (avant&#x202f;: %2)</translation>
     </message>
 </context>
 <context>
@@ -11190,10 +11214,6 @@
         <translation>Il n’y a pas de bords libres qui semblent aller ensemble.</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>D’après les longueurs, les coins qui se fermeraient, les noms et les directions&#x202f;; les plus certaines d’abord. Regardez chacune dans le patron avant de la coudre.</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>Coudre les &amp;probables</translation>
     </message>
@@ -11204,6 +11224,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>D’après les longueurs, les coins qui se fermeraient, les noms et les directions&#x202f;; les plus certaines d’abord. Regardez chacune dans le patron avant de la coudre.</translation>
     </message>
 </context>
 <context>
@@ -11947,6 +11971,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
     </message>
 </context>
 <context>

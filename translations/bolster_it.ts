@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>A</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>Un’imbottitura che preme dall’interno. Da 0,05 a 0,3 riempie un cuscino; a 1 la maggior parte dei tessuti è stirata troppo.</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>Quanto sono lunghi i lati dei triangoli: più corti mostrano pieghe più piccole e richiedono più tempo.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2276,10 +2284,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>Qui non c’è alcuno spigolo di un telaio.</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>Fissaggio %1</translation>
     </message>
@@ -2290,6 +2294,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>Clic per fare di questo spigolo una curva di fissaggio – Ctrl prende solo questo, senza quelli in cui prosegue liscio</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>Qui non c’è alcuno spigolo di un telaio. Una curva propria: Telaio &gt; Disegna curva di fissaggio.</translation>
     </message>
 </context>
 <context>
@@ -4865,18 +4873,6 @@
         <translation>il contatto non agisce: a passi di %1&#xa0;mm non trova un interno del telaio, che è più sottile o così aperto da non averne; chiudere il telaio o farlo più spesso</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 si allunga del %2&#xa0;% in drittofilo, il suo tessuto tollera il %3&#xa0;%</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 si allunga del %2&#xa0;% in traverso, il suo tessuto tollera il %3&#xa0;%</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 ha uno scorrimento del %2&#xa0;%, il suo tessuto tollera il %3&#xa0;%</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 fa pieghe: c’è più tessuto che spazio</translation>
     </message>
@@ -5944,6 +5940,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>Dove un pezzo avrebbe un foro o sarebbe un anello è tagliato e ricucito, numero di tagli: %1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 corre lungo il bordo della forma: non c’è nulla da tagliare</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1 si allunga del %2&#xa0;% in drittofilo, il suo tessuto tollera il %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1 si allunga del %2&#xa0;% in traverso, il suo tessuto tollera il %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1 ha uno scorrimento del %2&#xa0;%, il suo tessuto tollera il %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>La forma ha un solo lato, come un nastro ritorto: resta aperta dove l’esterno incontra l’interno</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6524,10 +6540,6 @@
         <translation>frazione imperiale 1/16 decimali pollice</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>È mostrata la frazione più vicina, senza arrotondare nulla; ciò che è troppo corto per essa ha decimali.</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>Separatore decimale</translation>
     </message>
@@ -6694,6 +6706,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>Dove si cercano per primi i tessuti e le loro immagini. Se manca, è la cartella del modello.</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>Le lunghezze restano come sono e si mostrano alla frazione più vicina; ciò che è più corto ha decimali.</translation>
     </message>
 </context>
 <context>
@@ -7077,10 +7093,6 @@
         <translation>%1, %2 in tutto</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>I gemelli si seguono rispetto a un piano nella vista 3D e a un asse nel cartamodello. Con questo segno valgono quelli sotto; senza, stanno nel mezzo, tra sinistra e destra.</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>Un punto del piano in cui il rivestimento è specchiato</translation>
     </message>
@@ -7095,6 +7107,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>La direzione di quella linea</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>I gemelli sono immagini speculari l’uno dell’altro. Con questo segno si stabilisce dove sta lo specchio; senza, sta nel mezzo, tra sinistra e destra.</translation>
     </message>
 </context>
 <context>
@@ -7646,10 +7662,6 @@
         <translation>T&amp;our</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>Trascinare una curva sul telaio</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>Le curve colorate sul telaio indicano dove è fissato il tessuto. Fare clic su una di esse, poi trascinare uno dei suoi punti: il rivestimento segue.</translation>
     </message>
@@ -7736,6 +7748,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>Ora è chiaro come cartamodello, cuciture e telaio formano il rivestimento. Iniziare con un proprio modello: in File &gt; Pagina iniziale ci sono modelli pronti. Che cosa fa ogni tasto è in Aiuto &gt; Tasti e mouse.</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>Trascinare una curva di fissaggio</translation>
     </message>
 </context>
 <context>
@@ -9583,6 +9599,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>Scegli sopra un file con una forma, oppure importa prima un telaio.</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>Un segno a «dove si piega più di» la taglia anche lì.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10445,10 +10465,6 @@
         <translation>%1 dalla forma (rms)</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>%1 del rivestimento è oltre il limite</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Nessuna modifica lo migliora.</translation>
     </message>
@@ -10598,6 +10614,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Niente supera i limiti: non c’è nulla da fare.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 del rivestimento è oltre il limite (prima: %2), dapprima su pochi triangoli</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>%1 del rivestimento è oltre il limite (prima: %2)</translation>
     </message>
 </context>
 <context>
@@ -11190,10 +11214,6 @@
         <translation>Non ci sono lati liberi che sembrino andare insieme.</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>In base a lunghezze, angoli che si chiuderebbero, nomi e direzioni; prima le più certe. Guardarle nel cartamodello prima di cucirle.</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>Cuci le &amp;probabili</translation>
     </message>
@@ -11204,6 +11224,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 e %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>In base a lunghezze, angoli che si chiuderebbero, nomi e direzioni; prima le più certe. Guardarle nel cartamodello prima di cucirle.</translation>
     </message>
 </context>
 <context>
@@ -11947,6 +11971,10 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>Close</source>
         <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fine</translation>
     </message>
 </context>
 <context>

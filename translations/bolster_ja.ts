@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>終点</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>内側から押す詰め物です。0.05～0.3でクッションが膨らみ、1ではほとんどの生地が伸びすぎます。</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>三角形の辺の長さです。短いほど細かいしわが表れ、時間がかかります。</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2274,10 +2282,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>ここにはフレームのエッジがありません。</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>固定 %1</translation>
     </message>
@@ -2288,6 +2292,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>クリックでこのエッジを固定曲線にする。Ctrl で、滑らかに続くエッジを含めずこれだけ</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>ここにはフレームのエッジがありません。自分で描くには：フレーム &gt; 固定曲線を描く。</translation>
     </message>
 </context>
 <context>
@@ -4861,18 +4869,6 @@
         <translation>接触は効いていません。%1&#xa0;mm 刻みではフレームの内部が見つかりません。フレームがそれより薄いか、開きすぎています。フレームを閉じるか、厚くしてください</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 は地の目方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 は直交方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 は %2&#xa0;% せん断されています。生地の許容は %3&#xa0;% です</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 にしわが寄っています。収まる広さに対して生地が余っています</translation>
     </message>
@@ -5940,6 +5936,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>穴や輪になるパーツは切り開いて縫い直しています。切り込みの数: %1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 は形状の縁に沿っています。切る所がありません</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1 は地の目方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1 は直交方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1 は %2&#xa0;% せん断されています。生地の許容は %3&#xa0;% です</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>形状はねじれた帯のように片面しかありません。表と裏が出会う所は開いたままにします</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6520,10 +6536,6 @@
         <translation>分数 ヤードポンド法 1/16 小数</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>最も近い分数で表示しますが、値は丸めません。分数で表せない短いものは小数で表示します。</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>小数点の記号</translation>
     </message>
@@ -6690,6 +6702,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>生地とその画像を最初に探す場所。指定がなければデザインのフォルダーです。</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>長さはそのまま保たれ、最も近い分数で表示されます。それより短いものは小数になります。</translation>
     </message>
 </context>
 <context>
@@ -7073,10 +7089,6 @@
         <translation>%1、計 %2</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>対称ペアは3Dビューでは平面を、型紙では軸をはさんで互いに追従します。チェックを入れると下の値が使われ、外すと左右の中央になります。</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>カバーを反転する平面上の点</translation>
     </message>
@@ -7091,6 +7103,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>その線の方向</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>対称ペアは互いの鏡像です。チェックを入れると鏡の位置を決められ、外すと左右の中央になります。</translation>
     </message>
 </context>
 <context>
@@ -7642,10 +7658,6 @@
         <translation>ツアー(&amp;T)</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>フレーム上の曲線をドラッグ</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>フレーム上の色付きの曲線は、生地を固定する所です。1 本をクリックし、その点をドラッグしてください。カバーが追従します。</translation>
     </message>
@@ -7732,6 +7744,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>型紙、縫い目、フレームからカバーができるまでを見ました。次は自分のデザインを始めましょう。テンプレートは「ファイル &gt; スタートページ」に、キーの働きは「ヘルプ &gt; キーとマウス」にあります。</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>固定曲線をドラッグ</translation>
     </message>
 </context>
 <context>
@@ -9559,6 +9575,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>上で形状のファイルを選ぶか、先にフレームを読み込んでください。</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>「曲がりが次を超える所」にチェックを入れると、そこでも切られます。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10416,10 +10436,6 @@
         <translation>形状との差 %1 (RMS)</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>カバーの %1 が限界を超えています</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>改善する変更はありません。</translation>
     </message>
@@ -10568,6 +10584,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>限度を超える箇所はありません。変更は不要です。</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>カバーの %1 が限界を超えています（変更前: %2）、まず少ない三角形で</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>カバーの %1 が限界を超えています（変更前: %2）</translation>
     </message>
 </context>
 <context>
@@ -11159,10 +11183,6 @@
         <translation>対になりそうな空いた辺はありません。</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>長さ、閉じる角、名前、方向による順で、確実なものが先です。縫う前に型紙で確認してください。</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>可能性の高いものを縫う(&amp;L)</translation>
     </message>
@@ -11173,6 +11193,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 と %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>長さ、閉じる角、名前、方向による順で、確実なものが先です。縫う前に型紙で確認してください。</translation>
     </message>
 </context>
 <context>
@@ -11912,6 +11936,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完了</translation>
     </message>
 </context>
 <context>

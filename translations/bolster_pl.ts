@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>Do</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>Wypełnienie, które naciska od środka. 0,05 do 0,3 wypełnia poduszkę; przy 1 większość tkanin jest zbyt rozciągnięta.</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>Jak długie są krawędzie trójkątów: krótsze pokazują drobniejsze fałdy i wymagają więcej czasu.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2278,10 +2286,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>Tu nie ma krawędzi stelaża.</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>Mocowanie %1</translation>
     </message>
@@ -2292,6 +2296,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>Kliknij, aby zrobić z tej krawędzi krzywą mocowania – Ctrl bierze ją samą, bez gładkich przedłużeń</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>Tu nie ma krawędzi stelaża. Własna krzywa: Stelaż &gt; Rysuj krzywą mocowania.</translation>
     </message>
 </context>
 <context>
@@ -4869,18 +4877,6 @@
         <translation>kontakt nic nie robi: z krokiem %1&#xa0;mm nie znajduje wnętrza stelaża, który jest cieńszy lub tak otwarty, że go nie ma; zamknij stelaż lub go pogrub</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1: rozciągnięcie wzdłuż nitki %2%, materiał dopuszcza %3%</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1: rozciągnięcie w poprzek nitki %2%, materiał dopuszcza %3%</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1: ścinanie %2%, materiał dopuszcza %3%</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 układa się w fałdy: materiału jest więcej niż miejsca</translation>
     </message>
@@ -5948,6 +5944,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>Gdzie element miałby otwór lub byłby pierścieniem, jest rozcięty i zszyty, liczba cięć: %1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 biegnie wzdłuż brzegu formy: nie ma czego ciąć</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1: rozciągnięcie wzdłuż nitki %2%, materiał dopuszcza %3%</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1: rozciągnięcie w poprzek nitki %2%, materiał dopuszcza %3%</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1: ścinanie %2%, materiał dopuszcza %3%</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>Forma ma tylko jedną stronę, jak skręcona wstęga: pozostaje otwarta tam, gdzie zewnętrze styka się z wnętrzem</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6528,10 +6544,6 @@
         <translation>ułamek imperialne 1/16 dziesiętne</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>Pokazywana jest najbliższa część i nic nie jest przez to zaokrąglane; co jest na to za krótkie, ma miejsca dziesiętne.</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>Znak dziesiętny</translation>
     </message>
@@ -6698,6 +6710,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>Gdzie najpierw szukać materiałów i ich obrazów. Jeśli brak, jest to folder modelu.</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>Długości pozostają bez zmian i są pokazywane z dokładnością do najbliższej części; co jest krótsze, ma miejsca dziesiętne.</translation>
     </message>
 </context>
 <context>
@@ -7081,10 +7097,6 @@
         <translation>%1, razem %2</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>Bliźniaki podążają za sobą względem płaszczyzny w widoku 3D i osi w wykroju. Z tym zaznaczeniem są to poniższe; bez niego leżą pośrodku, między lewą a prawą stroną.</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>Punkt płaszczyzny, w której odbija się pokrowiec</translation>
     </message>
@@ -7099,6 +7111,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>Kierunek tej linii</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>Bliźniaki są swoimi lustrzanymi odbiciami. Z tym zaznaczeniem określa się, gdzie stoi lustro; bez niego stoi pośrodku, między lewą a prawą stroną.</translation>
     </message>
 </context>
 <context>
@@ -7650,10 +7666,6 @@
         <translation>&amp;Samouczek</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>Przeciągnij krzywą na stelażu</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>Kolorowe krzywe na stelażu pokazują, gdzie materiał jest zamocowany. Kliknij jedną z nich, a potem przeciągnij jeden z jej punktów: pokrowiec podąża.</translation>
     </message>
@@ -7740,6 +7752,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>Wiesz już, jak wykrój, szwy i stelaż tworzą pokrowiec. Zacznij własny model: szablony są w menu Plik &gt; Strona startowa. Co robi który klawisz, pokazuje Pomoc &gt; Klawisze i mysz.</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>Przeciągnij krzywą mocowania</translation>
     </message>
 </context>
 <context>
@@ -9607,6 +9623,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>Wybierz powyżej plik z formą albo najpierw zaimportuj stelaż.</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>Zaznaczenie „tam, gdzie zagina się o więcej niż” tnie ją także tam.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10474,10 +10494,6 @@
         <translation>%1 od formy (RMS)</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>%1 pokrowca powyżej granicy</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Żadna zmiana tego nie poprawi.</translation>
     </message>
@@ -10628,6 +10644,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nic nie przekracza granic: nie ma nic do zrobienia.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 pokrowca powyżej granicy (przedtem: %2), najpierw na niewielu trójkątach</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>%1 pokrowca powyżej granicy (przedtem: %2)</translation>
     </message>
 </context>
 <context>
@@ -11221,10 +11245,6 @@
         <translation>Nie ma wolnych krawędzi, które zdają się do siebie należeć.</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>Według długości, rogów, które by się zamknęły, nazw i kierunków; najpewniejsze najpierw. Obejrzyj każdy w wykroju, zanim go zszyjesz.</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>Zszyj &amp;prawdopodobne</translation>
     </message>
@@ -11235,6 +11255,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 i %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>Według długości, rogów, które by się zamknęły, nazw i kierunków; najpewniejsze najpierw. Obejrzyj każdy w wykroju, zanim go zszyjesz.</translation>
     </message>
 </context>
 <context>
@@ -11982,6 +12006,10 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>Close</source>
         <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Zakończ</translation>
     </message>
 </context>
 <context>

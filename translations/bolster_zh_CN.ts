@@ -1991,6 +1991,14 @@
         <source>To</source>
         <translation>到</translation>
     </message>
+    <message>
+        <source>A filling that presses from inside. 0.05 to 0.3 fills a cushion; at 1 most fabrics are stretched too far.</source>
+        <translation>从内部施压的填充。0.05 到 0.3 可充满坐垫；为 1 时多数面料会拉伸过度。</translation>
+    </message>
+    <message>
+        <source>How long the edges of the triangles are: shorter ones show smaller folds, and take longer.</source>
+        <translation>三角形边的长度：越短显示的褶皱越细，用时也越长。</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2274,10 +2282,6 @@
 <context>
     <name>FrameEdgeTool</name>
     <message>
-        <source>There is no edge of a frame here.</source>
-        <translation>此处没有骨架的棱边。</translation>
-    </message>
-    <message>
         <source>Fixation %1</source>
         <translation>固定 %1</translation>
     </message>
@@ -2288,6 +2292,10 @@
     <message>
         <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
         <translation>单击将此棱边作为固定曲线——Ctrl 只取此边，不含与其平滑相接的边</translation>
+    </message>
+    <message>
+        <source>There is no edge of a frame here. A curve of your own: Frame &gt; Draw fixation curve.</source>
+        <translation>此处没有骨架的棱边。自行绘制曲线：骨架 &gt; 绘制固定曲线。</translation>
     </message>
 </context>
 <context>
@@ -4861,18 +4869,6 @@
         <translation>接触不起作用：以 %1 mm 为步长找不到骨架内部，骨架更薄，或过于敞开而没有内部；请封闭骨架，或加厚</translation>
     </message>
     <message>
-        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
-        <translation>%1 沿布纹拉伸 %2%，其面料允许 %3%</translation>
-    </message>
-    <message>
-        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
-        <translation>%1 横布纹拉伸 %2%，其面料允许 %3%</translation>
-    </message>
-    <message>
-        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
-        <translation>%1 剪切 %2%，其面料允许 %3%</translation>
-    </message>
-    <message>
         <source>%1 lies in folds: there is more cloth than room for it</source>
         <translation>%1 有褶皱：布料多于可容空间</translation>
     </message>
@@ -5940,6 +5936,26 @@
         <source>Where a piece would have had a hole or been a ring it is cut and sewn again, number of cuts: %1</source>
         <translation>样片会有孔或成环之处已剪开并重新缝合，剪口数：%1</translation>
     </message>
+    <message>
+        <source>%1 runs along the border of the form: there is nothing to cut</source>
+        <translation>%1 沿形体的边缘延伸：没有可剪之处</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
+        <translation>%1 沿布纹拉伸 %2%，其面料允许 %3%</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric allows %3 %</source>
+        <translation>%1 横布纹拉伸 %2%，其面料允许 %3%</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric allows %3 %</source>
+        <translation>%1 剪切 %2%，其面料允许 %3%</translation>
+    </message>
+    <message>
+        <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
+        <translation>形体像扭转的带子一样只有一面：内外相接处保持敞开</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -6520,10 +6536,6 @@
         <translation>分数 英制 1/16 小数</translation>
     </message>
     <message>
-        <source>The nearest part is shown, and nothing is rounded by that; what is too short for it has decimals.</source>
-        <translation>显示最接近的分数，但不会因此取整；过短而无法用分数表示的显示小数。</translation>
-    </message>
-    <message>
         <source>Decimal sign</source>
         <translation>小数点符号</translation>
     </message>
@@ -6690,6 +6702,10 @@
     <message>
         <source>Where fabrics and their pictures are looked for first. Without one it is the folder of the design.</source>
         <translation>优先在此查找面料及其图片。未设置时为设计所在的文件夹。</translation>
+    </message>
+    <message>
+        <source>Lengths are kept as they are, and shown to the nearest part; what is shorter than one has decimals.</source>
+        <translation>长度保持原值，按最接近的分数显示；比一份更短的用小数。</translation>
     </message>
 </context>
 <context>
@@ -7073,10 +7089,6 @@
         <translation>%1，共 %2</translation>
     </message>
     <message>
-        <source>Twins follow each other across a plane in the 3D view, and across an axis in the pattern. With this mark they are those below; without it they are in the middle, left from right.</source>
-        <translation>镜像件在三维视图中关于一个平面、在纸样中关于一条轴互相跟随。勾选时使用下面的平面和轴；不勾选时位于左右正中。</translation>
-    </message>
-    <message>
         <source>A point of the plane in which the cover is mirrored</source>
         <translation>镜像面套所用平面上的一点</translation>
     </message>
@@ -7091,6 +7103,10 @@
     <message>
         <source>The direction of that line</source>
         <translation>该直线的方向</translation>
+    </message>
+    <message>
+        <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
+        <translation>镜像件互为镜像。勾选后由您指定镜面的位置；不勾选则位于左右正中。</translation>
     </message>
 </context>
 <context>
@@ -7642,10 +7658,6 @@
         <translation>导览(&amp;T)</translation>
     </message>
     <message>
-        <source>Drag a curve on the frame</source>
-        <translation>拖动骨架上的曲线</translation>
-    </message>
-    <message>
         <source>The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one of its points: the cover follows.</source>
         <translation>骨架上的彩色曲线是布料固定之处。单击其中一条，再拖动其上一点：面套随之变化。</translation>
     </message>
@@ -7732,6 +7744,10 @@
     <message>
         <source>You have seen how pattern, seams and frame make the cover. Begin with a design of your own: File &gt; Start page has templates. What each key does is under Help &gt; Keys and mouse.</source>
         <translation>您已了解样板、接缝和骨架如何形成面套。现在开始自己的设计：“文件 &gt; 开始页”有模板。各按键的作用见“帮助 &gt; 键盘与鼠标”。</translation>
+    </message>
+    <message>
+        <source>Drag a fixation curve</source>
+        <translation>拖动固定曲线</translation>
     </message>
 </context>
 <context>
@@ -9559,6 +9575,10 @@
         <source>Choose a file with a form above, or import a frame first.</source>
         <translation>请在上方选择形体文件，或先导入骨架。</translation>
     </message>
+    <message>
+        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
+        <translation>勾选“在弯折大于此角处”，那里也会剪开。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10416,10 +10436,6 @@
         <translation>距形体 %1（均方根）</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit</source>
-        <translation>面套的 %1 超过极限</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>没有更改能使其更好。</translation>
     </message>
@@ -10568,6 +10584,14 @@
     <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>没有超出限度之处：无需更改。</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2), on few triangles at first</source>
+        <translation>面套的 %1 超过极限（之前：%2），先用较少的三角形</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit (before: %2)</source>
+        <translation>面套的 %1 超过极限（之前：%2）</translation>
     </message>
 </context>
 <context>
@@ -11159,10 +11183,6 @@
         <translation>没有看来相配的空闲边。</translation>
     </message>
     <message>
-        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
-        <translation>依据长度、可闭合的角、名称和方向；可信度高的在前。缝合前请在样板中逐一查看。</translation>
-    </message>
-    <message>
         <source>Sew &amp;likely ones</source>
         <translation>缝合可能的(&amp;L)</translation>
     </message>
@@ -11173,6 +11193,10 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>Found by their lengths, corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>依据长度、可闭合的角、名称和方向；可信度高的在前。缝合前请在样板中逐一查看。</translation>
     </message>
 </context>
 <context>
@@ -11912,6 +11936,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,13 @@ std::string whyNotWritten(const QString& path)
     return folder.isWritable() ? "" : "cannot be written: you may not write into that folder";
 }
 
+void expectWritable(std::initializer_list<QString> paths)
+{
+    for (const QString& path : paths)
+        if (const std::string why = path.isEmpty() ? std::string() : whyNotWritten(path); !why.empty())
+            throw UsageError("\"" + path.toStdString() + "\" " + why);
+}
+
 bool OutputFiles::canBeWritten() const
 {
     bool all = true;

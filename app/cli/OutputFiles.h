@@ -12,6 +12,9 @@ namespace bolster::cli {
 /// Why a file cannot be written, as far as that is known before ("is a folder"); "" when it may well be.
 std::string whyNotWritten(const QString& path);
 
+/// Throws UsageError when one of them cannot be written, as far as that is known before; "" is none.
+void expectWritable(std::initializer_list<QString> paths);
+
 class OutputFiles {
 public:
     /// Throws UsageError when two of these options name the same file. Results go to stderr as long as one of them

@@ -94,7 +94,12 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
     const Problems errors = errorsOf(opened);
     SolveResult result;
     try {
-        if (opened.readable && options.lenient)
+        const auto tooFine = std::ranges::find_if(errors, [](const Problem& error) {
+            return error.element == settingsId && error.field == "edge_length"; // nothing can be left out for it
+        });
+        if (tooFine != errors.end())
+            result.errors = {*tooFine};
+        else if (opened.readable && options.lenient)
             result = solveLeniently(opened, errors, options, std::move(stop));
         else if (errors.empty())
             result = solveShown(opened, options, std::move(stop));

@@ -115,7 +115,7 @@ void SeamProposalsWindow::showProposals(const std::vector<SeamProposal>& proposa
     m_hint->setText(
         proposals.empty()
             ? tr("There are no free edges that seem to belong together.")
-            : tr("By their lengths, the corners that would close, names and directions; the most certain "
+            : tr("Found by their lengths, corners that would close, names and directions; the most certain "
                  "first. Look at each in the pattern before you sew it."));
     m_sewLikely->setEnabled(!likely().empty());
     m_sewAll->setEnabled(!proposals.empty());

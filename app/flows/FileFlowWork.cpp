@@ -225,7 +225,7 @@ void FileFlow::warnOfCrashes(const Message& why)
 /// cannot be opened where the disk of the journals is full.
 void FileFlow::failToOpen(const QString& path, const Message& problem)
 {
-    if (!DesignSession::isProject(path) || !QFileInfo::exists(path)) {
+    if (!DesignSession::isProject(path) || !QFileInfo(path).isFile()) {
         offerSalvage(path, problem, false);
         return;
     }

@@ -209,6 +209,7 @@ void FormPatternWindow::fillForms()
         if (m_session.files().meshes.contains(id))
             m_form->addItem(QString::fromStdString(frame.name), number(id));
     });
+    m_form->setCurrentIndex(largestFrame());
     if (m_solver.surface() && !m_solver.surface()->positions.empty())
         m_form->addItem(tr("The cover as it is"), "cover");
     m_form->addItem(tr("A file \u2026"), "file");
@@ -216,6 +217,23 @@ void FormPatternWindow::fillForms()
         m_form->setPlaceholderText(tr("Choose a form"));
         m_form->setCurrentIndex(-1);
     }
+}
+
+/// Its place among the forms: seldom is a cover made for legs.
+int FormPatternWindow::largestFrame() const
+{
+    int largest = -1;
+    double most = -1;
+    for (int row = 0; row < m_form->count(); ++row) {
+        const auto id = static_cast<ElementId>(m_form->itemData(row).toUInt());
+        const auto* frame = m_document.design().find<Frame>(id);
+        const double size = placedMesh(*frame, m_session.files().meshes.at(id))->boundingBox().diagonal().norm();
+        if (size > most) {
+            most = size;
+            largest = row;
+        }
+    }
+    return largest;
 }
 
 void FormPatternWindow::fillFabrics()
@@ -381,7 +399,10 @@ void FormPatternWindow::take(FormMade made)
 void FormPatternWindow::say()
 {
     if (!m_made->problem.empty()) {
-        m_said->setText(translated(m_made->problem));
+        QStringList lines{asSentence(translated(m_made->problem))};
+        if (!m_bends->isChecked())
+            lines << tr("A mark at \"where it bends by more than\" cuts it there, too.");
+        m_said->setText(lines.join('\n'));
         return;
     }
     QStringList lines;

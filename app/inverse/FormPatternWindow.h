@@ -45,6 +45,7 @@ private:
     QWidget* buildWishes();
     void fillForms();
     void fillLines();
+    int largestFrame() const;
     void fillFabrics();
     void chooseFile();
     void formChosen();

@@ -384,8 +384,12 @@ void PatternFitWindow::showProgress(double share, const FitRound& round)
             tr("%1 from the form (rms), on few triangles at first").arg(lengthText(round.figures.distanceRms, 2)));
     else if (m_lies->isChecked())
         m_said->setText(tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2)));
+    else if (m_strained->isChecked() && round.few)
+        m_said->setText(tr("%1 of the cover is over the limit (before: %2), on few triangles at first")
+                            .arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
     else if (m_strained->isChecked())
-        m_said->setText(tr("%1 of the cover is over the limit").arg(percentText(round.figures.overLimit)));
+        m_said->setText(tr("%1 of the cover is over the limit (before: %2)")
+                            .arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
     else
         m_said->setText(tr("Changing the pattern \u2026"));
 }

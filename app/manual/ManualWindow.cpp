@@ -105,6 +105,7 @@ ManualWindow::ManualWindow(QString folder, QWidget* parent)
     layout->addWidget(m_text, 1);
     m_text->setFocus();
     resize(QSize(760, 800).boundedTo(screen()->availableSize() - QSize(40, 80))); // with its frame and title
+    move(screen()->availableGeometry().topRight() - QPoint(width() + 20, -40));   // beside what is worked at
 }
 
 void ManualWindow::openAt(const QString& place)
@@ -130,6 +131,7 @@ void ManualWindow::show(const QString& place)
     m_text->document()->setMarkdown(file.open(QIODevice::ReadOnly)
                                         ? QString::fromUtf8(file.readAll())
                                         : tr("The manual has no page \"%1\".").arg(page));
+    m_text->setExtraSelections({});
     m_text->moveCursor(QTextCursor::Start);
     m_text->verticalScrollBar()->setValue(0);
     if (const QString anchor = place.section(u'#', 1); !anchor.isEmpty()) {
@@ -146,6 +148,11 @@ void ManualWindow::scrollTo(const QString& anchor)
     for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next())
         if (block.blockFormat().headingLevel() > 0 && anchorOf(block.text()) == anchor) {
             m_text->setTextCursor(QTextCursor(block));
+            QTextEdit::ExtraSelection mark; // it may be in the middle of the window, at the end of a page
+            mark.cursor = QTextCursor(block);
+            mark.format.setBackground(palette().color(QPalette::AlternateBase));
+            mark.format.setProperty(QTextFormat::FullWidthSelection, true);
+            m_text->setExtraSelections({mark});
             m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->value() +
                                                   m_text->cursorRect().top());
             return;

@@ -57,6 +57,15 @@ void ProblemsView::fill()
     }
 }
 
+void ProblemsView::forgetFindings()
+{
+    m_findingsKnown = false;
+    if (m_findings.empty())
+        return;
+    m_findings.clear();
+    fill();
+}
+
 QListWidgetItem* ProblemsView::addRow(const QIcon& sign, const QString& text, const std::string& key)
 {
     auto* item = new QListWidgetItem(sign, text, this);

@@ -20,6 +20,8 @@ public:
     /// What there is to worry about in the cover, the worst first; `known`: it is that of the cover that is shown.
     /// Those of the cover before stay in the list until then.
     void setFindings(const std::vector<CoverFinding>& findings, bool known);
+    /// There is no cover that they would be about.
+    void forgetFindings();
 
     /// Of the problem that is chosen: the key of its message, by which the manual knows it; "" when there is none.
     QString currentKey() const;

@@ -48,13 +48,6 @@ void askWhetherToReplace(QWidget* window, const QString& path, const std::functi
 
 } // namespace
 
-QString asSentence(const QString& text)
-{
-    // Names of files stay as they are.
-    const QString first = text.section(QRegularExpression(QStringLiteral("[\\s:]")), 0, 0);
-    return first.contains(u'.') ? text : text.left(1).toUpper() + text.mid(1);
-}
-
 void openDialog(QDialog* dialog)
 {
     if (auto* box = qobject_cast<QMessageBox*>(dialog)) {

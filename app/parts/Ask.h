@@ -1,6 +1,8 @@
 // Dialogs that are opened and say later what was answered: nothing in the program waits inside them.
 #pragma once
 
+#include "Translated.h"
+
 #include <QMessageBox>
 #include <QStringList>
 
@@ -13,9 +15,6 @@ namespace bolster {
 
 /// Gets what was chosen or typed. Who closes a dialog has given no answer, and nothing is called.
 using Answer = std::function<void(const QString&)>;
-
-/// With a capital letter: the sentences that arise below the windows begin with a small one.
-QString asSentence(const QString& text);
 
 /// In front of all windows; deleted when it is closed. What message boxes say becomes sentences.
 void openDialog(QDialog* dialog);

@@ -95,6 +95,7 @@ void Banner::present(const Content& content)
     }
     for (const Button& button : content.buttons) {
         auto* push = new QPushButton(button.text, this);
+        push->setAutoDefault(true); // Enter presses it
         connect(push, &QPushButton::clicked, this, [this, pressed = button.pressed] {
             if (!m_warning)
                 dismiss();

@@ -12,6 +12,12 @@
 
 namespace bolster {
 
+bool isInFront(const QDockWidget& dock)
+{
+    return dock.isVisible() &&
+           (dock.isFloating() || dock.parentWidget()->rect().contains(dock.geometry().center()));
+}
+
 PaneSizes::PaneSizes(QMainWindow& window, QList<QDockWidget*> docks, QList<QDockWidget*> views)
     : QObject(&window)
     , m_window(window)
@@ -36,12 +42,6 @@ QSet<QDockWidget*> PaneSizes::shown() const
         if (!dock->isHidden() && !dock->isFloating())
             shown.insert(dock);
     return shown;
-}
-
-/// Those behind others lie outside of the window.
-bool PaneSizes::inFront(const QDockWidget& dock) const
-{
-    return m_window.rect().contains(dock.geometry().center());
 }
 
 /// With the tabs above it: they belong to what docks are resized to.
@@ -71,7 +71,7 @@ void PaneSizes::take()
     m_shown = shown();
     m_wanted.clear();
     for (QDockWidget* dock : m_shown)
-        if (inFront(*dock))
+        if (isInFront(*dock))
             m_wanted[dock] = placeOf(dock);
 }
 
@@ -103,7 +103,7 @@ void PaneSizes::apply()
     bool asWanted = true;
     for (auto wanted = m_wanted.cbegin(); wanted != m_wanted.cend(); ++wanted) {
         QDockWidget* dock = wanted.key();
-        if (dock->isHidden() || dock->isFloating() || !inFront(*dock))
+        if (dock->isHidden() || dock->isFloating() || !isInFront(*dock))
             continue;
         docks.append(dock);
         widths.append(wantedWidth(dock));

@@ -13,6 +13,9 @@ class QMainWindow;
 
 namespace bolster {
 
+/// Shown, and not behind another dock: those lie outside of the window.
+bool isInFront(const QDockWidget& dock);
+
 /// Docks forget: what a small window takes from one of them, a large one gives to another. Here the sizes are kept
 /// that somebody chose; each time the window gets another size, the views share what room there is in their
 /// proportion, and lists and fields keep their width.
@@ -35,7 +38,6 @@ protected:
 
 private:
     QSet<QDockWidget*> shown() const;
-    bool inFront(const QDockWidget& dock) const;
     QRect placeOf(QDockWidget* dock) const;
     int wantedWidth(QDockWidget* dock) const;
     void takeIfOthersAreShown();

@@ -157,6 +157,7 @@ void StartHint::addBeginning(QBoxLayout& layout)
     auto* grid = new QGridLayout;
     const auto add = [&](const QString& name, const QString& text, void (StartHint::*wanted)()) {
         auto* button = new QPushButton(icon(name), text, this);
+        button->setAutoDefault(true); // Enter presses it
         connect(button, &QPushButton::clicked, this, wanted);
         grid->addWidget(button, grid->count() / 2,
                         grid->count() % 2); // four in a row are too wide for a narrow view
@@ -187,6 +188,8 @@ void StartHint::place()
     m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
     setVisible(!begun && !m_drawing && !m_covered);
     const QRect room = m_over.freeRoom();
+    m_lists->show();
+    m_lists->setVisible(layout()->totalHeightForWidth(std::min(room.width(), widest)) <= room.height());
     const QSize size(std::min(room.width(), widest), std::min(room.height(), sizeHint().height()));
     setGeometry(QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, size, room));
 }

@@ -107,8 +107,8 @@ const std::vector<PreferenceRow>& preferenceTable()
          QT_TRANSLATE_NOOP("Preferences", "Parts of an inch"),
          QT_TRANSLATE_NOOP("Preferences", "fraction imperial 1/16 decimals"),
          QT_TRANSLATE_NOOP("Preferences",
-                           "The nearest part is shown, and nothing is rounded by that; what is too short "
-                           "for it has decimals.")},
+                           "Lengths are kept as they are, and shown to the nearest part; what is shorter than "
+                           "one has decimals.")},
         {"units/decimal", Page::Units, &P::decimal, OneOf{&decimalChoices},
          QT_TRANSLATE_NOOP("Preferences", "Decimal sign"),
          QT_TRANSLATE_NOOP("Preferences", "comma point dot separator numbers")},

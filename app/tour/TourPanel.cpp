@@ -45,6 +45,8 @@ TourPanel::TourPanel(QWidget* window)
     m_next->setObjectName(QStringLiteral("tour-next"));
     m_leave->setObjectName(QStringLiteral("tour-leave"));
     m_leave->setToolTip(tr("Help > Tour goes on from here"));
+    for (QPushButton* button : {m_next, m_back, m_leave})
+        button->setAutoDefault(true); // Enter presses it
     connect(m_next, &QPushButton::clicked, this, &TourPanel::nextWanted);
     connect(m_back, &QPushButton::clicked, this, &TourPanel::backWanted);
     connect(m_leave, &QPushButton::clicked, this, &TourPanel::leaveWanted);
@@ -70,7 +72,7 @@ void TourPanel::say(int step, int steps, const QString& title, const QString& te
     m_title->setText(title);
     m_text->setText(text);
     m_back->setVisible(step > 1);
-    m_next->setText(tr("Next"));
+    m_next->setText(step < steps ? tr("Next") : tr("Finish"));
     m_next->setDefault(false);
     m_leave->setVisible(true);
     fit();

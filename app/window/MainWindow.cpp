@@ -18,7 +18,9 @@
 #include "Inspector.h"
 #include "Jobs.h"
 #include "JobsPanel.h"
+#include "MapCommands.h"
 #include "MapLink.h"
+#include "PaneSizes.h"
 #include "PatternView.h"
 #include "PlainLabels.h"
 #include "PreferenceStore.h"
@@ -236,6 +238,8 @@ void MainWindow::updateSolverState()
     // What is wrong is known only once everything has been looked at: no flicker while a drag goes on.
     if (status.state != SolverStatus::State::Preparing)
         updateProblems();
+    if (status.state == SolverStatus::State::Idle || status.state == SolverStatus::State::Failed)
+        m_problemList->forgetFindings();
     const bool stale = m_solver->paused() && !m_solver->upToDate();
     m_surface->shown().setDimmed(status.state == SolverStatus::State::Failed || stale);
 }
@@ -246,6 +250,7 @@ void MainWindow::showProblem(ElementId element)
         m_selection.clear();
         return;
     }
+    m_mapCommands->hideSpot();
     m_elements->reveal(element);
     m_pattern->navigation().fitSelection();
 }
@@ -272,7 +277,6 @@ void MainWindow::arrange()
 {
     m_arranged = true;
     const bool restored = restoreState(QSettings().value(stateKey).toByteArray(), layoutVersion);
-    m_docks->problems->hide();
     m_docks->jobs->hide();
     m_banner->parentWidget()->setVisible(m_banner->shown());
     m_docks->restoreSizes(restored ? QSettings().value(sizesKey).toByteArray() : QByteArray());
@@ -353,6 +357,22 @@ void MainWindow::askAboutJobs(bool restarts)
         Jobs::all().cancelAll();
         closeAgain(restarts);
     });
+}
+
+/// What lies in a dock behind another one cannot be seen: who types there changes something without knowing.
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    const auto isBehind = [](const QWidget* part) {
+        for (; part; part = part->parentWidget())
+            if (const auto* dock = qobject_cast<const QDockWidget*>(part))
+                return !isInFront(*dock);
+        return false;
+    };
+    const QWidget* const first = focusWidget();
+    while (QMainWindow::focusNextPrevChild(next))
+        if (focusWidget() == first || !isBehind(focusWidget()))
+            return true;
+    return false;
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -32,6 +32,7 @@ class FindingsLink;
 class HistoryPanel;
 class Inspector;
 class LayerCommands;
+struct CoverFinding;
 class MapCommands;
 class MapLink;
 class PatternView;
@@ -101,6 +102,7 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -132,6 +134,8 @@ private:
     void lookAtOpened();
     void updateTitle();
     void updateProblems();
+    void countProblems();
+    std::vector<CoverFinding> findingsToSay() const;
     void updateSolverState();
     void showProblem(ElementId element);
     void restoreSize();

@@ -210,9 +210,7 @@ void MainWindow::connectSession()
             m_surface->navigation().fitAll();
     });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
-    connect(&m_problems, &ProblemSet::changed, this, [this] {
-        m_status->setProblems(m_problems.count(Severity::Error), m_problems.count(Severity::Warning));
-    });
+    connect(&m_problems, &ProblemSet::changed, this, &MainWindow::countProblems);
 }
 
 void MainWindow::connectDocument()
@@ -317,7 +315,11 @@ void MainWindow::connectViews()
         });
         m_status->setPrompt(m_surface->prompt());
     });
-    connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->visibility().setHidden({}); });
+    connect(m_session.get(), &DesignSession::opened, this, [this] {
+        m_surface->visibility().setHidden({});
+        m_problemList->forgetFindings();
+        m_mapCommands->hideSpot();
+    });
     connect(m_elements, &ElementsView::shown, m_viewCommands, &ViewCommands::fitSelection);
     connect(m_seams, &SeamsView::shown, m_viewCommands, &ViewCommands::fitSelection);
     connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
@@ -369,14 +371,35 @@ void MainWindow::connectFiles()
     connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
 }
 
+/// Without those that a warning about the pattern says already.
+std::vector<CoverFinding> MainWindow::findingsToSay() const
+{
+    std::vector<CoverFinding> findings = m_findings->findings();
+    std::erase_if(findings, [this](const CoverFinding& finding) {
+        return finding.kind == CoverFinding::Kind::Free && m_problems.hasWarning(finding.element);
+    });
+    return findings;
+}
+
+/// As many as the list has.
+void MainWindow::countProblems()
+{
+    m_status->setProblems(m_problems.count(Severity::Error),
+                          m_problemList->count() - m_problems.count(Severity::Error));
+}
+
 void MainWindow::connectFindings()
 {
     // What is not on the screen yet is not called good.
     const auto update = [this] {
         const bool seen = m_surface->pictures(m_solver->surface());
         const bool known = seen && m_findings->known();
-        m_status->setFindings(m_findings->findings(), known);
-        m_problemList->setFindings(m_findings->findings(), known);
+        const std::vector<CoverFinding> findings = findingsToSay();
+        m_status->setFindings(findings, known);
+        m_problemList->setFindings(findings, known);
+        countProblems();
+        if (known && findings.empty())
+            m_mapCommands->hideSpot(); // it may be that of one that is gone
     };
     connect(m_findings.get(), &FindingsLink::changed, this, update);
     // A window that is destroyed hides its docks, when the findings are gone.

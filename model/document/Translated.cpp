@@ -83,6 +83,13 @@ bool mayTurn(QChar c)
 
 } // namespace
 
+QString asSentence(const QString& text)
+{
+    // Names of files stay as they are.
+    const QString first = text.section(QRegularExpression(QStringLiteral("[\\s:]")), 0, 0);
+    return first.contains(u'.') ? text : text.left(1).toUpper() + text.mid(1);
+}
+
 QString isolated(const QString& text)
 {
     static constexpr QChar firstStrong(0x2068), pop(0x2069);

@@ -10,6 +10,9 @@ namespace bolster {
 /// The translation that is installed in the application, or English; numbers in the arguments stay as they are.
 QString translated(const Message& message);
 
+/// With a capital letter: sentences of design and solver begin with a small one.
+QString asSentence(const QString& text);
+
 /// A text that stands in a sentence: one that is written from right to left, or holds marks that turn the
 /// direction, does not turn the words around it.
 QString isolated(const QString& text);

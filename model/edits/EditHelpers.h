@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ElementEdits.h"
+#include "SpokenName.h"
 
 #include <cmath>
 #include <set>
@@ -11,11 +12,7 @@ namespace bolster::edits {
 /// The element's name, or its label if it has none: for verbs.
 inline std::string displayName(const Design& design, ElementId id)
 {
-    const ElementPtr element = design.element(id);
-    if (!element)
-        return {};
-    const std::string& name = elementName(*element);
-    return name.empty() ? elementLabel(id, *element) : shortened(name);
+    return spokenName(design, id);
 }
 
 /// Replaces an element by a changed copy; empty when nothing changed.

@@ -39,14 +39,17 @@ struct Description<Settings> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "edge_length",
-                 .label = QT_TRANSLATE_NOOP("Field", "Mesh edges"),
-                 .meaning = "mean edge of the triangulation, > 0; not so small that the patches need more than 5 "
-                            "million triangles",
-                 .verb = QT_TRANSLATE_NOOP("Message", "Change the settings"),
-                 .cost = SolveCost::Rebuild,
-                 .presence = Presence::Always},
-                Number{0, 1e7, Unit::Millimetres, {.least = 0.1, .most = 1000}, false}, s.edgeLength...);
+        v.field(
+            {.key = "edge_length",
+             .label = QT_TRANSLATE_NOOP("Field", "Mesh edges"),
+             .meaning = "mean edge of the triangulation, > 0; not so small that the patches need more than 5 "
+                        "million triangles",
+             .tip = QT_TRANSLATE_NOOP("Field", "How long the edges of the triangles are: shorter ones show smaller "
+                                               "folds, and take longer."),
+             .verb = QT_TRANSLATE_NOOP("Message", "Change the settings"),
+             .cost = SolveCost::Rebuild,
+             .presence = Presence::Always},
+            Number{0, 1e7, Unit::Millimetres, {.least = 0.1, .most = 1000}, false}, s.edgeLength...);
         v.group({.key = "symmetry",
                  .label = QT_TRANSLATE_NOOP("Field", "Symmetry"),
                  .meaning = "where the mirrors of twins are"},

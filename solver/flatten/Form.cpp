@@ -133,6 +133,7 @@ private:
         });
         std::vector<signed char> turn(count(), -1);
         int turned = 0;
+        bool oneSided = false;
         for (std::size_t start = 0; start < count(); ++start) {
             if (turn[start] >= 0)
                 continue;
@@ -140,9 +141,12 @@ private:
             turn[start] = 0;
             for (std::size_t k = 0; k < sheet.size(); ++k)
                 for (const auto& [other, differs] : neighbours[sheet[k]])
-                    if (auto& there = turn[other]; there < 0) {
-                        there = static_cast<signed char>(turn[sheet[k]] ^ static_cast<int>(differs));
+                    if (const auto fits = static_cast<signed char>(turn[sheet[k]] ^ static_cast<int>(differs));
+                        turn[other] < 0) {
+                        turn[other] = fits;
                         sheet.push_back(other);
+                    } else {
+                        oneSided = oneSided || turn[other] != fits;
                     }
             const auto wrong = std::ranges::count_if(sheet, [&](std::size_t t) { return turn[t] == 1; });
             const signed char less = 2 * wrong > std::ssize(sheet) ? 0 : 1;
@@ -152,6 +156,11 @@ private:
                     ++turned;
                 }
         }
+        if (oneSided)
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "The form has one side only, as a twisted band: it is "
+                                              "left open where its outside meets its inside"),
+                 {}});
         if (turned > 0)
             m_form.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"), {std::to_string(turned)}});

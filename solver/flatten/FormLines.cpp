@@ -253,27 +253,14 @@ public:
                  {line.name, numberText(away, 2)}});
             return;
         }
-        CgalMesh strip = ribbonAlong(line, all);
-        Piece near;
-        // Where sheets touch in a point when they are taken alone, all of it is.
-        if (!near.build(m_soup, trianglesNear(m_soup, strip)))
-            near.build(m_soup, {});
-        PartsKept visitor;
-        visitor.part = near.part;
-        visitor.form = &near.mesh;
-        visitor.stop = &stop;
-        try { // where one of them goes through itself; else it might come to no end
-            Pmp::corefine(
-                near.mesh, strip,
-                CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor).throw_on_self_intersection(
-                    true));
-        } catch (const Pmp::Corefinement::Self_intersection_exception&) {
-            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 bends too sharply there, or the form goes through "
-                                                            "itself: it is not cut along it"),
-                               {line.name}});
-            return;
-        }
-        near.putBack(m_soup);
+        const std::vector<FormLine> parts = awayFromBorder(line);
+        if (parts.empty())
+            m_notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form: there is nothing "
+                                              "to cut"),
+                 {line.name}});
+        for (const FormLine& part : parts)
+            cutNow(part, all, stop);
     }
 
     LinedTriangles result(const std::vector<FormLine>& lines)
@@ -309,6 +296,31 @@ public:
     }
 
 private:
+    void cutNow(const FormLine& line, const std::vector<FormLine>& all, const std::stop_token& stop)
+    {
+        CgalMesh strip = ribbonAlong(line, all);
+        Piece near;
+        // Where sheets touch in a point when they are taken alone, all of it is.
+        if (!near.build(m_soup, trianglesNear(m_soup, strip)))
+            near.build(m_soup, {});
+        PartsKept visitor;
+        visitor.part = near.part;
+        visitor.form = &near.mesh;
+        visitor.stop = &stop;
+        try { // where one of them goes through itself; else it might come to no end
+            Pmp::corefine(
+                near.mesh, strip,
+                CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor).throw_on_self_intersection(
+                    true));
+        } catch (const Pmp::Corefinement::Self_intersection_exception&) {
+            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 bends too sharply there, or the form goes through "
+                                                            "itself: it is not cut along it"),
+                               {line.name}});
+            return;
+        }
+        near.putBack(m_soup);
+    }
+
     /// Of most of its places, mm.
     double distanceOf(const FormLine& line) const
     {
@@ -348,6 +360,67 @@ private:
                 return true;
         }
         return false;
+    }
+
+    /// Of a place on the form, mm; infinite where none is near.
+    double distanceFromBorder(const Vec3& at) const
+    {
+        const Kernel::Point_3 place = toCgal(at);
+        const auto [near, face] = m_tree.closest_point_and_primitive(place);
+        double square = std::numeric_limits<double>::infinity();
+        for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
+            for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v)))
+                if (m_form.mesh.is_border(m_form.mesh.edge(half)))
+                    square = std::min(square,
+                                      CGAL::squared_distance(
+                                          place, Kernel::Segment_3(m_form.mesh.point(m_form.mesh.source(half)),
+                                                                   m_form.mesh.point(m_form.mesh.target(half)))));
+        return std::sqrt(square);
+    }
+
+    /// The parts of a line between those that run along a border, which cut nothing; the line itself where it only
+    /// ends there.
+    std::vector<FormLine> awayFromBorder(const FormLine& line) const
+    {
+        constexpr double on = 1, away = 3; // mm
+        std::vector<Vec3> places = evenly(line, m_spacing);
+        std::vector<double> distances;
+        for (const Vec3& place : places)
+            distances.push_back(distanceFromBorder(place));
+        const auto isOn = [&](double distance) { return distance < on; };
+        if (line.closed) {
+            const auto first = std::ranges::find_if(distances, isOn);
+            if (first == distances.end())
+                return {line};
+            places.pop_back(); // the first one again
+            distances.pop_back();
+            const auto turn = first - distances.begin();
+            std::rotate(places.begin(), places.begin() + turn, places.end());
+            std::rotate(distances.begin(), distances.begin() + turn, distances.end());
+            places.push_back(places.front());
+            distances.push_back(distances.front());
+        }
+        std::vector<FormLine> parts;
+        for (auto begin = distances.begin(); begin != distances.end();) {
+            begin = std::find_if_not(begin, distances.end(), isOn);
+            const auto end = std::find_if(begin, distances.end(), isOn);
+            const auto from = begin - distances.begin(), to = end - distances.begin();
+            bool cuts = false;
+            for (auto k = from; k < to; ++k)
+                cuts = cuts || (distances[k] > away && !isBeyond(places[k]));
+            if (cuts) {
+                const auto first = std::max<std::ptrdiff_t>(0, from - 1),
+                           last = std::min(std::ssize(places), to + 1);
+                if (first == 0 && last == std::ssize(places) && !line.closed)
+                    return {line};
+                FormLine part = line;
+                part.closed = false;
+                part.points.assign(places.begin() + first, places.begin() + last);
+                parts.push_back(std::move(part));
+            }
+            begin = end;
+        }
+        return parts;
     }
 
     /// What runs on outside would be pulled back to the border, and cut along it. One place stays outside at each

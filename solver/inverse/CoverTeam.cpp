@@ -41,6 +41,11 @@ bool CoverTeam::moveHome(const Design& design, const std::stop_token& stop)
     return all;
 }
 
+double usualStep(const Freedom& freedom)
+{
+    return freedom.step > freedom.most ? -freedom.step : freedom.step;
+}
+
 Eigen::VectorXd placesOf(const WarmCover& cover)
 {
     const Eigen::Matrix3Xd positions = cover.state().positions;
@@ -67,8 +72,7 @@ Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Fre
         if (stop.stop_requested())
             return;
         const std::span<const Freedom> one = freedoms.subspan(static_cast<std::size_t>(k), 1);
-        // Beside a limit to the side where there is room.
-        const double step = one.front().step > one.front().most ? -one.front().step : one.front().step;
+        const double step = usualStep(one.front());
         const auto beside = [&](double value) -> Eigen::VectorXd {
             const Design moved = withFreedoms(at, one, Eigen::VectorXd::Constant(1, value));
             return cover.follow(moved, stop) ? measure(cover, moved) : Eigen::VectorXd();

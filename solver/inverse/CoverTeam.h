@@ -35,6 +35,9 @@ struct Derivatives {
     std::vector<bool> known; ///< false: there was no cover beside the present one; its column is 0
 };
 
+/// By how much a freedom is changed to see what it does: beside a limit to the side where there is room.
+double usualStep(const Freedom& freedom);
+
 /// By differences of covers at rest beside that of `at`, the design at home: forward ones, or central ones, which
 /// take twice the time. When stopped they are not all there.
 Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Freedom> freedoms,

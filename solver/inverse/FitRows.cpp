@@ -28,16 +28,6 @@ constexpr double mostPressed = 1;       // %: of cloth that lies smooth
 constexpr double smoothWeight = 3;      // 1 % pressed together is as bad as so many mm
 constexpr double sizeWeight = 2;        // 1 % of a patch's width is as bad as so many mm
 
-std::vector<Vec3> vertexPlaces(const WarmCover& cover)
-{
-    const Eigen::Matrix3Xd positions = cover.state().positions;
-    std::vector<Vec3> places;
-    places.reserve(cover.mesh().topology->unknown.size());
-    for (const std::uint32_t u : cover.mesh().topology->unknown)
-        places.emplace_back(positions.col(u));
-    return places;
-}
-
 /// Control points of a straight edge, its ends included.
 std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
 {
@@ -213,9 +203,10 @@ void FitRows::keep(const WarmCover& cover)
     m_kept = targetOf(mesh);
 }
 
-void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
+void FitRows::addStrain(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                        std::vector<double>& rows) const
 {
-    const CoverStrains found = coverStrains(*cover.mesh().topology, places, m_design, m_goals.limit, m_strained);
+    const CoverStrains found = coverStrains(topology, places, m_design, m_goals.limit, m_strained);
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 3; ++k) {
@@ -225,9 +216,10 @@ void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places,
         }
 }
 
-void FitRows::addSmooth(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
+void FitRows::addSmooth(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                        std::vector<double>& rows) const
 {
-    const CoverStrains found = coverStrains(*cover.mesh().topology, places, m_design, mostPressed, m_smoothed);
+    const CoverStrains found = coverStrains(topology, places, m_design, mostPressed, m_smoothed);
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 2; ++k) // along the grain and across it
@@ -284,16 +276,16 @@ void FitRows::addPattern(const Design& design, std::vector<double>& rows) const
     });
 }
 
-Eigen::VectorXd FitRows::rows(const WarmCover& cover, const Design& design) const
+Eigen::VectorXd FitRows::rows(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                              const Design& design) const
 {
-    const std::vector<Vec3> places = vertexPlaces(cover);
     std::vector<double> rows;
     for (const Aim& aim : m_aims)
         rows.push_back(aim.weight * (aim.normal.dot(places[aim.vertex]) - aim.height));
     if (m_goals.strain)
-        addStrain(cover, places, rows);
+        addStrain(topology, places, rows);
     if (!m_goals.smooth.empty())
-        addSmooth(cover, places, rows);
+        addSmooth(topology, places, rows);
     m_seams.add(places, rows);
     addSizes(design, rows);
     addPattern(design, rows);

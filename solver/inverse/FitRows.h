@@ -1,7 +1,7 @@
 // The goals of a fit as numbers whose squares are to be small.
 #pragma once
 
-#include "CoverTeam.h"
+#include "CoarseDerivatives.h"
 #include "FitGoals.h"
 #include "SeamLineRows.h"
 
@@ -23,8 +23,13 @@ public:
     void aim(const WarmCover& cover);
     /// Where this cover is is the shape that is to be kept.
     void keep(const WarmCover& cover);
-    /// May be called on several threads.
-    Eigen::VectorXd rows(const WarmCover& cover, const Design& design) const;
+    /// May be called on several threads. `places`: of the vertices of a cover with these triangles, mm.
+    Eigen::VectorXd rows(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                         const Design& design) const;
+    Eigen::VectorXd rows(const WarmCover& cover, const Design& design) const
+    {
+        return rows(*cover.mesh().topology, vertexPlaces(cover), design);
+    }
     FitFigures figures(const WarmCover& cover, const Design& design) const;
 
 private:
@@ -42,8 +47,10 @@ private:
     };
 
     void addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere);
-    void addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
-    void addSmooth(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const;
+    void addStrain(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                   std::vector<double>& rows) const;
+    void addSmooth(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                   std::vector<double>& rows) const;
     void addSizes(const Design& design, std::vector<double>& rows) const;
     double sizeOff(const Design& design, const SizeGoal& goal) const;
     void addPattern(const Design& design, std::vector<double>& rows) const;

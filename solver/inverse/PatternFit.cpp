@@ -18,10 +18,14 @@ namespace {
 
 constexpr double fewVertices = 3000;   // of the first triangles, about
 constexpr double manyVertices = 12000; // of the last ones
+constexpr double alike = 0.2;          // what few triangles have led to leaves so much of the cost on more of them
 constexpr double restTolerance = 1e-5; // relative to D
 constexpr double worthIt = 1.7;        // times as many vertices as before
 constexpr double settled = 0.03;       // a round that makes less of the error than that is the last one
+constexpr double settledPlaces = 0.1;  // likewise where the cover lies
+constexpr double settledFew = 0.3;     // likewise, where more triangles follow
 constexpr double settledStep = 0.05;   // likewise of a step
+constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 3;
@@ -29,14 +33,19 @@ constexpr double sprang = 1.5; // times the cost that the last round had: the co
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
 constexpr double leastEffect = 1e-7;                            // of a freedom, against the strongest one
 
-/// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
-std::vector<double> edgesFor(const Design& design)
+/// Of triangles that give about so many vertices, mm.
+double edgeFor(const Design& design, double vertices)
 {
     double area = 0;
     design.each<Patch>([&](ElementId, const Patch& patch) { area += std::abs(patch.outline.signedArea()); });
-    const auto edgeFor = [&](double vertices) { return std::sqrt(area / (vertices * std::sqrt(0.75))); };
-    const double last = std::max(design.settings().edgeLength, edgeFor(manyVertices));
-    const double first = edgeFor(fewVertices);
+    return std::sqrt(area / (vertices * std::sqrt(0.75)));
+}
+
+/// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
+std::vector<double> edgesFor(const Design& design)
+{
+    const double last = std::max(design.settings().edgeLength, edgeFor(design, manyVertices));
+    const double first = edgeFor(design, fewVertices);
     return first * first > worthIt * last * last ? std::vector{first, last} : std::vector{last};
 }
 
@@ -100,6 +109,7 @@ public:
     {
         const std::vector<double> edges = edgesFor(m_input.design);
         m_stages = static_cast<int>(edges.size()) + 1;
+        m_fewEdge = edges.front();
         if (isLimitAlone(m_order.goals) && begin(edges.back()) && m_result.before.overLimit == 0) {
             m_result.after = m_result.before;
             m_result.status = FitResult::Status::NothingToDo;
@@ -145,6 +155,8 @@ private:
         WarmOrder order;
         order.edgeLength = edge;
         order.tolerance = restTolerance;
+        if (isAboutPlaces())
+            order.mostWarmIterations = mostIterations;
         return order;
     }
 
@@ -186,14 +198,16 @@ private:
         return costOf(m_rows.rows(cover, design), values);
     }
 
-    /// From what fewer triangles have led to, or half of it, or nothing: what is best on these.
+    /// From what fewer triangles have led to, or nothing, or else half of it: what is best on these.
     bool goOn(double edge)
     {
         if (m_stage == 0)
             return true;
         const Eigen::VectorXd found = m_result.values;
-        double least = std::numeric_limits<double>::infinity();
-        for (const double share : {0.0, 0.5, 1.0}) {
+        double least = std::numeric_limits<double>::infinity(), untouched = 0;
+        for (const double share : {0.0, 1.0, 0.5}) {
+            if (share == 0.5 && m_result.values == found && isAboutPlaces())
+                break; // all of it is better than nothing
             const Eigen::VectorXd values = share * found;
             const Design design = designAt(values);
             const auto cover = coverOf(design, edge);
@@ -208,23 +222,29 @@ private:
                 m_result.values = values;
                 m_result.design = design;
             }
+            untouched = share == 0 ? least : untouched;
         }
+        m_fewAreLike = isAboutPlaces() && least < alike * untouched;
         return true;
     }
 
     /// Rounds until they lead no farther.
     bool improve(double edge)
     {
-        CoverTeam team({m_result.design, m_input.files}, orderFor(edge), m_order.threads, m_stop);
-        if (!team.problem().empty())
-            return fail(team.problem());
+        const auto cover = coverOf(m_result.design, edge);
+        if (!cover || m_stop.stop_requested())
+            return false;
+        CoarseDerivatives derivatives({m_result.design, m_input.files}, orderFor(m_fewAreLike ? m_fewEdge : edge),
+                                      m_order.threads, m_stop);
+        if (!derivatives.problem().empty())
+            return fail(derivatives.problem());
         double damping = 1e-3;
         for (int round = 0; round < m_order.mostRounds; ++round) {
             // It may be where the last try has left it.
-            if (m_stop.stop_requested() || !team.first().follow(m_result.design, m_stop))
+            if (m_stop.stop_requested() || !cover->follow(m_result.design, m_stop))
                 return false;
-            report(team.first(), edge, static_cast<double>(round) / m_order.mostRounds);
-            const Outcome outcome = step(team, damping, round);
+            report(*cover, edge, static_cast<double>(round) / m_order.mostRounds);
+            const Outcome outcome = step(*cover, derivatives, damping, round);
             if (!m_result.reason.empty())
                 return false;
             if (outcome != Outcome::Better)
@@ -252,7 +272,10 @@ private:
             }
             if (round > 0)
                 m_result.jumped = m_result.jumped || !expected;
-            if (expected || round + 1 == mostVerifications || !improve(edge))
+            if (expected || round + 1 == mostVerifications)
+                break;
+            m_fewAreLike = false; // they have led elsewhere
+            if (!improve(edge))
                 break;
         }
         m_result.values = best;
@@ -279,15 +302,15 @@ private:
     enum class Outcome { Better, Settled };
 
     /// Derivatives once, and several steps with them: they change little, and cost most of the time.
-    Outcome step(CoverTeam& team, double& damping, int round)
+    Outcome step(WarmCover& cover, CoarseDerivatives& few, double& damping, int round)
     {
-        m_rows.aim(team.first());
-        const CoverMeasure measure = [this](const WarmCover& cover, const Design& design) {
-            return m_rows.rows(cover, design);
-        };
-        Eigen::VectorXd now = measure(team.first(), m_result.design);
-        const Derivatives derivatives = differentiate(
-            team, m_result.design, m_order.freedoms, measure, false,
+        m_rows.aim(cover);
+        Eigen::VectorXd now = m_rows.rows(cover, m_result.design);
+        const Derivatives derivatives = few.of(
+            cover, m_result.design, m_order.freedoms,
+            [this](const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design) {
+                return m_rows.rows(topology, places, design);
+            },
             [&](double share) { tell((round + share) / m_order.mostRounds); }, m_stop);
         if (m_stop.stop_requested())
             return Outcome::Settled;
@@ -301,15 +324,25 @@ private:
         double cost = first;
         for (int k = 0; k < mostStepsOfRound && !m_stop.stop_requested(); ++k) {
             const double before = cost;
-            if (!takeStep(team, jacobian, now, cost, damping) || before - cost < settledStep * before)
+            if (!takeStep(cover, jacobian, now, cost, damping) || before - cost < settledStep * before)
                 break;
         }
         m_reached = cost;
-        return first - cost > settled * first ? Outcome::Better : Outcome::Settled;
+        return first - cost > leastGain() * first ? Outcome::Better : Outcome::Settled;
+    }
+
+    /// Strains and folds are of single triangles: what these do, no others tell.
+    bool isAboutPlaces() const { return !m_order.goals.strain && m_order.goals.smooth.empty(); }
+    /// Of the error: what a round must take away for another one to follow.
+    double leastGain() const
+    {
+        if (!isAboutPlaces())
+            return settled;
+        return m_stage + 2 < m_stages ? settledFew : settledPlaces;
     }
 
     /// False when no step makes it better. Derivatives learn from every step that is tried (Broyden).
-    bool takeStep(CoverTeam& team, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost, double& damping)
+    bool takeStep(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost, double& damping)
     {
         const Eigen::MatrixXd squares = jacobian.transpose() * jacobian + m_change;
         const Eigen::VectorXd slope =
@@ -317,16 +350,16 @@ private:
         for (int attempt = 0; attempt < mostAttempts && !m_stop.stop_requested(); ++attempt, damping *= 8) {
             const Eigen::VectorXd values = bounded(squares, slope, damping);
             const Design design = designAt(values);
-            if (!isWhole(design) || !team.first().follow(design, m_stop))
+            if (!isWhole(design) || !cover.follow(design, m_stop))
                 continue;
-            const Eigen::VectorXd rows = m_rows.rows(team.first(), design);
+            const Eigen::VectorXd rows = m_rows.rows(cover, design);
             const double reached = costOf(rows, values);
             if (!(reached < cost))
                 continue;
             const Eigen::VectorXd moved = (values - m_result.values).cwiseQuotient(m_scale);
             const Eigen::VectorXd expected = now + jacobian * moved;
             jacobian += (rows - expected) * moved.transpose() / moved.squaredNorm();
-            if (!team.moveHome(design, m_stop))
+            if (!cover.moveHome(design, m_stop))
                 return false;
             m_result.values = values;
             m_result.design = design;
@@ -424,7 +457,9 @@ private:
     FitResult m_result;
     double m_reached = 0; // cost of the last round
     int m_stage = 0, m_stages = 1;
-    double m_told = 0; // share of the work
+    double m_fewEdge = 0;      // mm, of the first triangles
+    bool m_fewAreLike = false; // covers on them move as those on more triangles do
+    double m_told = 0;         // share of the work
 };
 
 } // namespace

@@ -33,7 +33,7 @@ WarmCover::WarmCover(const SolveInput& input, const WarmOrder& order, const std:
         return;
     const bool asDesigned = m_order.edgeLength <= 0;
     startFromDesign(*m_relaxation, asDesigned ? coarseStart(*m_sheet, m_ghostCache, *m_pool, stop) : std::nullopt);
-    if (comeToRest(stop)) {
+    if (comeToRest(m_order.mostIterations, stop)) {
         makeHome();
         m_homeFactors = m_relaxation->factorings();
     }
@@ -145,6 +145,7 @@ bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
 bool WarmCover::follow(const Design& design, const std::stop_token& stop)
 {
     m_problem = {};
+    m_restsAt.reset();
     if (!m_relaxation)
         return false;
     if (!factorsAreHome()) {
@@ -156,12 +157,15 @@ bool WarmCover::follow(const Design& design, const std::stop_token& stop)
     if (!adapt(asWanted(design), stop))
         return false;
     m_relaxation->startNear(m_home);
-    return comeToRest(stop);
+    if (!comeToRest(m_order.mostWarmIterations, stop))
+        return false;
+    m_restsAt = design;
+    return true;
 }
 
 bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
 {
-    if (follow(design, stop)) {
+    if (m_restsAt == design || follow(design, stop)) {
         makeHome();
         return true;
     }
@@ -177,7 +181,7 @@ bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
     m_problem = {};
     if (prepare(asWanted(design), stop)) {
         m_relaxation->startNear(transferState(sheet->mesh, m_home, m_sheet->mesh));
-        if (comeToRest(stop)) {
+        if (comeToRest(m_order.mostIterations, stop)) {
             makeHome();
             return true;
         }
@@ -191,10 +195,10 @@ bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
     return false;
 }
 
-bool WarmCover::comeToRest(const std::stop_token& stop)
+bool WarmCover::comeToRest(int mostIterations, const std::stop_token& stop)
 {
-    while (m_relaxation->phase() == Relaxation::Phase::Running &&
-           m_relaxation->iterations() < m_order.mostIterations && !stop.stop_requested())
+    while (m_relaxation->phase() == Relaxation::Phase::Running && m_relaxation->iterations() < mostIterations &&
+           !stop.stop_requested())
         m_relaxation->iterate();
     if (m_relaxation->phase() == Relaxation::Phase::Converged)
         return true;
@@ -208,6 +212,7 @@ bool WarmCover::comeToRest(const std::stop_token& stop)
 void WarmCover::makeHome()
 {
     m_home = m_relaxation->state();
+    m_restsAt.reset();
     m_homeInput = m_now;
     m_homeFactors = 0; // the present ones are near, but of another design
 }

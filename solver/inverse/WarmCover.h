@@ -18,7 +18,8 @@ struct WarmOrder {
     double edgeLength = 0;   ///< of the triangles, mm; 0: the design's
     double tolerance = 1e-6; ///< as in SolveOptions
     int mostIterations = 3000;
-    bool fitsScans = false; ///< scans that are enabled pull; else they are only there to be measured against
+    int mostWarmIterations = 3000; ///< from home: what takes longer counts as having no cover
+    bool fitsScans = false;        ///< scans that are enabled pull; else they are only there to be measured against
     int threads = 1;
 };
 
@@ -52,7 +53,7 @@ private:
     SolvePlan planFor(const SolveInput& input) const;
     bool slideSamples(const Design& design);
     bool adapt(const SolveInput& input, const std::stop_token& stop);
-    bool comeToRest(const std::stop_token& stop);
+    bool comeToRest(int mostIterations, const std::stop_token& stop);
     bool factorsAreHome() const { return m_relaxation->factorings() == m_homeFactors; }
     void makeHome();
 
@@ -68,7 +69,8 @@ private:
     SolveInput m_now;
     SolveInput m_homeInput;
     SheetState m_home;
-    int m_homeFactors = 0; // as in Relaxation::factorings; others are of a design that was too different
+    std::optional<Design> m_restsAt; // found from home, since that is home
+    int m_homeFactors = 0;           // as in Relaxation::factorings; others are of a design that was too different
     Message m_problem;
 };
 

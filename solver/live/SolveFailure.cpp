@@ -2,6 +2,7 @@
 
 #include "Element.h"
 #include "Relaxation.h"
+#include "SpokenName.h"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +18,6 @@ constexpr double farAway = 100;     // D between what holds a cover: no cloth re
 constexpr double highPressure = 10; // in units of the stretch stiffness: a balloon bursts long before
 
 using Part = SewnMesh::Part;
-
-std::string labelIn(const Design& design, ElementId id)
-{
-    const ElementPtr element = design.element(id);
-    return element ? elementLabel(id, *element) : std::string();
-}
 
 /// The seam or handle that holds an unknown.
 ElementId holderOf(const SewnMesh& mesh, std::uint32_t unknown)
@@ -64,7 +59,7 @@ std::optional<SolveFailure> farHolder(const SewnMesh& mesh, const Design& design
     const ElementId holder = holderOf(mesh, unknown);
     return SolveFailure{{QT_TRANSLATE_NOOP("Message", "The surface ran away after %1 iterations: %2 holds it %3 mm "
                                                       "from everything else. Bring that curve nearer."),
-                         {iterations, labelIn(design, holder), numberText(distance)}},
+                         {iterations, spokenName(design, holder), numberText(distance)}},
                         holder};
 }
 
@@ -110,21 +105,21 @@ SolveFailure explainFailure(const Relaxation& failed, const Design& design)
         return {
             {QT_TRANSLATE_NOOP("Message", "The equations of the cover could not be solved: %1 is degenerate or its "
                                           "numbers are too large. Check its outline and its fabric."),
-             {labelIn(design, odd.patch)}},
+             {spokenName(design, odd.patch)}},
             odd.patch};
     const Part& pressed = mostPressed(mesh);
     if (std::abs(pressed.material.pressure) > highPressure * pressed.material.stiffness)
         return {
             {QT_TRANSLATE_NOOP("Message", "The surface ran away after %1 iterations: the pressure of %2 (%3) is "
                                           "too high for its fabric. Lower it."),
-             {iterations, labelIn(design, pressed.patch), numberText(pressed.material.pressure)}},
+             {iterations, spokenName(design, pressed.patch), numberText(pressed.material.pressure)}},
             pressed.patch};
     if (std::optional<SolveFailure> far = farHolder(mesh, design, iterations))
         return std::move(*far);
     return {
         {QT_TRANSLATE_NOOP("Message", "The surface ran away after %1 iterations, most likely because of %2. Check "
                                       "the size of that patch, its pressure and its fabric."),
-         {iterations, labelIn(design, odd.patch)}},
+         {iterations, spokenName(design, odd.patch)}},
         odd.patch};
 }
 

@@ -1,6 +1,7 @@
 #include "CoverFindings.h"
 
 #include "DesignCheck.h"
+#include "SpokenName.h"
 #include "TriangleStrain.h"
 #include "TriangleTree.h"
 
@@ -24,22 +25,6 @@ constexpr double foldStrain = 8;     // %: cloth that is pressed together more l
 constexpr double offFrame = 40;      // mm: more than padding, webbing and the frame's own roundness explain
 constexpr double farFromFrame = 1e5; // mm
 constexpr int manyCurves = 5;        // that are off a frame: not one that was forgotten
-
-std::string findingName(const Design& design, ElementId id)
-{
-    const ElementPtr element = design.element(id);
-    if (!element)
-        return {};
-    const std::string name = std::visit(
-        [](const auto& e) -> std::string {
-            if constexpr (requires { std::string(e.name); })
-                return e.name;
-            else
-                return {};
-        },
-        *element);
-    return name.empty() ? elementLabel(id, *element) : name;
-}
 
 struct Strained {
     double value = 0;  ///< %
@@ -128,15 +113,15 @@ void findStrains(const SurfaceMesh& surface, const Design& design, std::vector<F
                                  Finding::Place{range.patch, over->at},
                                  std::abs(over->value),
                                  allowed,
-                                 {sentence, {findingName(design, range.patch), is, may}}});
+                                 {sentence, {spokenName(design, range.patch), is, may}}});
             }
         };
         consider(std::move(strains.along), limits.along,
-                 QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % along the grain, its fabric may %3 %"));
+                 QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % along the grain, its fabric allows %3 %"));
         consider(std::move(strains.across), limits.across,
-                 QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % across the grain, its fabric may %3 %"));
+                 QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % across the grain, its fabric allows %3 %"));
         consider(std::move(strains.shear), limits.shear,
-                 QT_TRANSLATE_NOOP("Message", "%1 is sheared by %2 %, its fabric may %3 %"));
+                 QT_TRANSLATE_NOOP("Message", "%1 is sheared by %2 %, its fabric allows %3 %"));
         if (strains.pressed.area > foldedSpot)
             found.push_back(
                 {Finding::Kind::Folds,
@@ -145,7 +130,7 @@ void findStrains(const SurfaceMesh& surface, const Design& design, std::vector<F
                  strains.pressed.area,
                  foldedSpot,
                  {QT_TRANSLATE_NOOP("Message", "%1 lies in folds: there is more cloth than room for it"),
-                  {findingName(design, range.patch)}}});
+                  {spokenName(design, range.patch)}}});
     }
 }
 
@@ -202,7 +187,7 @@ void findFree(const SurfaceTopology& topology, const Design& design, std::vector
                              1,
                              {QT_TRANSLATE_NOOP("Message", "%1 floats free: nothing holds it, and it is sewn to "
                                                            "nothing that is held"),
-                              {findingName(design, of)}}});
+                              {spokenName(design, of)}}});
 }
 
 void findOffFrame(const SurfaceMesh& surface, const Design& design, const TriangleTree& frame,
@@ -230,7 +215,7 @@ void findOffFrame(const SurfaceMesh& surface, const Design& design, const Triang
                        distance,
                        allowed,
                        {QT_TRANSLATE_NOOP("Message", "%1 holds the cloth %2 mm off the frame"),
-                        {findingName(design, seam->curve), numberText(distance, 3)}}};
+                        {spokenName(design, seam->curve), numberText(distance, 3)}}};
         }
     }
     const auto off = std::ranges::count_if(worst, [](const auto& one) { return one.second.value > 0; });
@@ -253,7 +238,7 @@ void findEase(const Design& design, std::vector<Finding>& found)
                  100 * ease,
                  100 * mostEase,
                  {QT_TRANSLATE_NOOP("Message", "The seam of %1 and %2 has %3 % ease: it puckers above %4 %"),
-                  {findingName(design, seam.a.patch), findingName(design, seam.b.patch), numberText(100 * ease, 2),
+                  {spokenName(design, seam.a.patch), spokenName(design, seam.b.patch), numberText(100 * ease, 2),
                    numberText(100 * mostEase, 2)}}});
     });
 }

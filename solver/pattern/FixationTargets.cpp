@@ -1,5 +1,7 @@
 #include "FixationTargets.h"
 
+#include "SpokenName.h"
+
 #include <algorithm>
 
 namespace bolster {
@@ -95,7 +97,6 @@ void findConflicts(OutlineSampling& sampling, const Design& design)
         Vec3 target = Vec3::Zero();
         const OutlineSampling::FixedChain* chain = nullptr;
     };
-    auto name = [&](ElementId id) { return elementLabel(id, *design.element(id)); };
     std::vector<Held> held(sampling.clusterCount);
     const auto check = [&](const OutlineSampling::FixedChain& chain) {
         const std::vector<int> samples = heldSamples(sampling, chain);
@@ -112,12 +113,12 @@ void findConflicts(OutlineSampling& sampling, const Design& design)
                 continue;
             sampling.problems.push_back(
                 {chain.fixation,
-                 name(chain.fixation),
+                 elementLabel(chain.fixation, *design.element(chain.fixation)),
                  chain.line < 0 ? "curve" : "target",
                  {QT_TRANSLATE_NOOP("Message",
                                     "%1 and %2 hold the same point of the cover in two places, %3 mm apart. "
                                     "Let both curves meet there, or end one stretch earlier."),
-                  {name(other.chain->curve), name(chain.curve), numberText(apart)}},
+                  {spokenName(design, other.chain->curve), spokenName(design, chain.curve), numberText(apart)}},
                  Severity::Error});
             return;
         }

@@ -3,6 +3,7 @@
 #include "CurveDivision.h"
 #include "FancyLines.h"
 #include "SegmentGrid.h"
+#include "SpokenName.h"
 
 #include <algorithm>
 #include <cmath>
@@ -219,7 +220,7 @@ private:
             return Message{QT_TRANSLATE_NOOP("Message",
                                              "it crosses %1, or comes closer to it than %2 mm, near %3; move them "
                                              "apart, or choose a smaller edge length"),
-                           {elementLabel(other.element, *m_design.element(other.element)), margin, where}};
+                           {spokenName(m_design, other.element), margin, where}};
         for (const double turn : {0.0, -total, total})
             if (const double at = place + turn;
                 (turn == 0 || line.closed) && at > other.from - room && at < other.to + room)

@@ -7,8 +7,10 @@
 #include "FindingsLink.h"
 #include "Gesture.h"
 #include "ProblemsView.h"
+#include "Samples.h"
 #include "StatusLine.h"
 
+#include <QDir>
 #include <QMenu>
 #include <QTimer>
 #include <QToolButton>
@@ -61,6 +63,20 @@ TEST_F(FindingsTest, GreenMeansThatThereIsNothingToWorryAbout)
         ASSERT_TRUE(waitUntilKnown());
         EXPECT_EQ(mood(), StatusLine::Mood::Good) << name << ": " << window.statusLine().solverText().toStdString();
         EXPECT_FALSE(button()->isVisible());
+    }
+}
+
+TEST_F(FindingsTest, TemplatesHaveNothingToWorryAbout)
+{
+    const QDir folder(shippedFolder("templates"));
+    const QStringList files = folder.entryList({"*.json"}, QDir::Files);
+    EXPECT_GE(files.size(), 7);
+    for (const QString& file : files) {
+        ASSERT_TRUE(open(folder.filePath(file)));
+        ASSERT_TRUE(waitUntilKnown());
+        for (const CoverFinding& finding : window.findings().findings())
+            ADD_FAILURE() << file.toStdString() << ": " << finding.text.english() << " "
+                          << finding.place.value_or(CoverFinding::Place()).outline.transpose();
     }
 }
 

@@ -106,6 +106,16 @@ protected:
         after.each<Patch>([&](ElementId one, const Patch&) { id = one == seat || one == side ? id : one; });
         return id;
     }
+    /// That sews the seat to what was cut off.
+    ElementId cutSeam(const Design& after) const
+    {
+        ElementId found{};
+        after.each<Seam>([&](ElementId id, const Seam& s) {
+            if (std::set{s.a.patch, s.b.patch} == std::set{seat, other(after)})
+                found = id;
+        });
+        return found;
+    }
     static std::vector<Seam> seamsBetween(const Design& d, ElementId a, ElementId b) { return seamsOf(d, a, b); }
 };
 
@@ -193,7 +203,12 @@ TEST_F(SplitMerge, DividesHandlesWhereverTheyCrossTheCut)
     const Design start = design.with({{}, {{lumbar, nullptr, makeElement(zigzag)}}});
     const Outcome outcome = splitPatch(start, seat, {{-100, 270}, {900, 270}}); // at y = 250 of the seat
     EXPECT_TRUE(outcome.dropped.empty());
-    expectPartsOf(start.with(outcome.edit), zigzag, 4);
+    const Design cut = start.with(outcome.edit);
+    expectPartsOf(cut, zigzag, 4);
+    const Design whole = cut.with(mergePatches(cut, cutSeam(cut)).edit);
+    ASSERT_EQ(whole.count<HandleCurve>(), 1) << "merged again it is one";
+    EXPECT_EQ(whole.find<HandleCurve>(lumbar)->curve.pointCount(), zigzag.curve.pointCount());
+    EXPECT_EQ(errors(whole), errors(start));
 }
 
 TEST_F(SplitMerge, DividesRingsThatCrossTheCut)
@@ -205,7 +220,14 @@ TEST_F(SplitMerge, DividesRingsThatCrossTheCut)
     for (const double x : {160.0, 330.0}) {
         const Outcome outcome = splitPatch(start, seat, {{x, 0}, {x, 500}});
         EXPECT_TRUE(outcome.dropped.empty());
-        expectPartsOf(start.with(outcome.edit), ring, 2);
+        const Design cut = start.with(outcome.edit);
+        expectPartsOf(cut, ring, 2);
+        const Design whole = cut.with(mergePatches(cut, cutSeam(cut)).edit);
+        ASSERT_EQ(whole.count<HandleCurve>(), 1);
+        const auto* handle = whole.find<HandleCurve>(lumbar);
+        EXPECT_TRUE(handle && handle->curve.closed() && handle->target.closed());
+        EXPECT_NEAR(ArcLength2(handle->curve).total(), ArcLength2(ring.curve).total(), 1e-6);
+        EXPECT_NEAR(ArcLength3(handle->target).total(), ArcLength3(ring.target).total(), 1e-6);
     }
 }
 

@@ -235,6 +235,34 @@ TEST(FormLines, MayRingPlacesOfAForm)
         }
 }
 
+TEST(FormLines, AlongTheBorderCutNothing)
+{
+    FormLine round{"Border", {}, true};
+    const auto add = [&](double x, double y) { round.points.emplace_back(x, y, onSheet(x, y)); };
+    for (int k = 0; k < 50; ++k)
+        add(10 * k, 0);
+    for (int k = 0; k < 50; ++k)
+        add(500, 10 * k);
+    for (int k = 0; k < 50; ++k)
+        add(500 - 10 * k, 500);
+    for (int k = 0; k < 50; ++k)
+        add(0, 500 - 10 * k);
+    const Form whole = cutAlongLines(sheet(), {round});
+    EXPECT_EQ(whole.pieces.size(), 1U);
+    ASSERT_EQ(whole.notes.size(), 1U);
+    EXPECT_EQ(whole.notes[0].english(), "Border runs along the border of the form: there is nothing to cut");
+
+    // Along the border, across, and back along it.
+    FormLine across{"Across", {}, false};
+    for (int k = 0; k < 20; ++k)
+        across.points.emplace_back(12.5 * k, 0, onSheet(12.5 * k, 0));
+    for (const Vec3& place : acrossSheet(253, 0, 500, 10).points)
+        across.points.push_back(place);
+    for (int k = 21; k <= 40; ++k)
+        across.points.emplace_back(12.5 * k, 500, onSheet(12.5 * k, 500));
+    expectTwoHalves(across);
+}
+
 TEST(FormLines, FarFromTheFormChangeNothing)
 {
     FormLine far = upright(1);

@@ -249,9 +249,9 @@ TEST_P(FancyRefusal, NamesTheSeamAndTheRemedy)
 INSTANTIATE_TEST_SUITE_P(
     All, FancyRefusal,
     testing::Values(
-        RefusedFancySeam{"CrossingAnother", BSpline2(1, false, {{200, 0}, {200, 300}}), 16, "crosses fancy seam"},
+        RefusedFancySeam{"CrossingAnother", BSpline2(1, false, {{200, 0}, {200, 300}}), 16, "crosses Groove, or"},
         RefusedFancySeam{"OverlappingAnother", BSpline2(1, false, {{50, 236}, {350, 236}}), 16,
-                         "crosses fancy seam"},
+                         "crosses Groove, or"},
         RefusedFancySeam{"Loop", BSpline2(1, false, {{50, 50}, {250, 200}, {330, 120}, {250, 40}, {50, 190}}), 16,
                          "itself"},
         RefusedFancySeam{"TightBend", BSpline2(3, false, {{100, 50}, {200, 50}, {200, 70}, {100, 70}}), 60,

@@ -283,8 +283,8 @@ TEST_P(HandleRefusal, NamesTheHandleAndTheRemedy)
 INSTANTIATE_TEST_SUITE_P(
     All, HandleRefusal,
     testing::Values(
-        RefusedHandle{"Crossing", BSpline2(1, false, {{200, 100}, {200, 300}}), "crosses handle curve 5"},
-        RefusedHandle{"Touching", BSpline2(1, false, {{200, 100}, {200, 200}}), "crosses handle curve 5"},
+        RefusedHandle{"Crossing", BSpline2(1, false, {{200, 100}, {200, 300}}), "crosses Handle, or"},
+        RefusedHandle{"Touching", BSpline2(1, false, {{200, 100}, {200, 200}}), "crosses Handle, or"},
         RefusedHandle{"CrossingTheOutline", BSpline2(1, false, {{200, 300}, {200, 500}}), "beyond its patch"},
         RefusedHandle{"Outside", BSpline2(1, false, {{500, 300}, {600, 300}}), "beyond its patch"},
         RefusedHandle{"AlongTheOutline", BSpline2(1, false, {{50, 398}, {350, 398}}), "outline"},

@@ -2,6 +2,7 @@
 
 #include "ArcLength.h"
 #include "OutlineSampling.h"
+#include "SpokenName.h"
 
 #include <gtest/gtest.h>
 
@@ -159,8 +160,7 @@ TEST(OutlineSampling, OneVertexCannotBeInTwoPlaces)
     const Design& design = b.design();
     for (ElementId fixation : {first, second}) {
         const ElementId curve = design.find<FixationSeam>(fixation)->curve;
-        EXPECT_NE(problems[0].message.english().find(elementLabel(curve, *design.element(curve))),
-                  std::string::npos)
+        EXPECT_NE(problems[0].message.english().find(spokenName(design, curve)), std::string::npos)
             << problems[0].message.english();
     }
 }

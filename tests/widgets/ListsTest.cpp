@@ -207,7 +207,7 @@ TEST_F(ListsTest, AProblemIsMarked)
     problems.set({{firstSquare, "", "", {"too thin", {}}, Severity::Warning},
                   {firstSquare, "", "", {"crosses itself", {}}, Severity::Error}});
     EXPECT_EQ(model.indexOf(firstSquare).data(ElementsModel::ProblemRole).toInt(), 2);
-    EXPECT_TRUE(model.indexOf(firstSquare).data(Qt::ToolTipRole).toString().contains("crosses itself"));
+    EXPECT_TRUE(model.indexOf(firstSquare).data(Qt::ToolTipRole).toString().contains("Crosses itself"));
     EXPECT_EQ(model.indexOf(secondSquare).data(ElementsModel::ProblemRole).toInt(), 0);
 }
 

@@ -34,7 +34,7 @@ QString ProblemSet::text(ElementId id) const
     QStringList lines;
     const auto [first, last] = m_byElement.equal_range(id);
     for (auto entry = first; entry != last; ++entry)
-        lines << translated(m_all[entry->second].message);
+        lines << asSentence(translated(m_all[entry->second].message));
     lines.removeDuplicates();
     return lines.join(u'\n');
 }

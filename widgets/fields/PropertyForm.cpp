@@ -1,5 +1,6 @@
 #include "PropertyForm.h"
 
+#include "ElementText.h"
 #include "Icons.h"
 #include "PictureStrip.h"
 #include "Units.h"
@@ -566,13 +567,17 @@ std::vector<QWidget*> PropertyForm::lastRow() const
     for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole, QFormLayout::SpanningRole})
         if (const QLayoutItem* item = m_layout->itemAt(m_layout->rowCount() - 1, role); item && item->widget())
             widgets.push_back(item->widget());
+    if (m_layout->rowCount() > 1 && !widgets.empty()) // the label may have a row of its own
+        if (const QLayoutItem* above = m_layout->itemAt(m_layout->rowCount() - 2, QFormLayout::SpanningRole))
+            if (auto* label = qobject_cast<QLabel*>(above->widget()); label && label->buddy() == widgets.back())
+                widgets.push_back(label);
     return widgets;
 }
 
 void PropertyForm::explain(const QString& tip)
 {
     for (QWidget* widget : lastRow())
-        widget->setToolTip(tip);
+        widget->setToolTip(inShortLines(tip));
 }
 
 void PropertyForm::nameRow(const QString& name)

@@ -55,8 +55,9 @@ void SettingsForm::addSymmetry(PropertyForm& form, const InspectorSubject<Settin
             settings.change(verb,
                             [on](Settings& s) { s.symmetry = on ? std::optional(Symmetry()) : std::nullopt; });
         });
-    form.explain(tr("Twins follow each other across a plane in the 3D view, and across an axis in the pattern. "
-                    "With this mark they are those below; without it they are in the middle, left from right."));
+    form.explain(
+        tr("Twins are mirror images of each other. With this mark you say where the mirror stands; without "
+           "it, it stands in the middle, between left and right."));
     const auto row = [&](const QString& label, const QString& tip, const NumberBox::Range& range, int count,
                          auto member) {
         form.addNumbers(

@@ -83,6 +83,7 @@ public:
     std::optional<Vec3> scanPoint(ElementId scan, const Camera& camera, QPointF pixel) const;
     /// The same point on the cover (mm), and in the pattern.
     std::optional<Vec3> onCover(const CoverPoint& point) { return m_cover.places().onCover(point); }
+    std::optional<Vec3> outwards(const CoverPoint& point) { return m_cover.places().outwards(point); }
     std::optional<CoverPoint> inPattern(const CoverHit& solid) const;
     /// Of what is shown of an element with a placement, mm; its position when nothing is.
     Vec3 middleOf(ElementId id) const;

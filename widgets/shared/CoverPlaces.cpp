@@ -14,7 +14,7 @@ void CoverPlaces::setSurface(SurfaceMeshPtr surface)
     m_locatorsOf = topology;
 }
 
-std::optional<Vec3> CoverPlaces::onCover(const CoverPoint& point)
+std::optional<PatternPlace> CoverPlaces::locate(const CoverPoint& point)
 {
     if (!m_surface)
         return std::nullopt;
@@ -23,11 +23,29 @@ std::optional<Vec3> CoverPlaces::onCover(const CoverPoint& point)
     if (range == topology.patches.end() || range->triangleCount == 0)
         return std::nullopt;
     const PatternLocator& locator = m_locators.try_emplace(point.patch, topology, *range).first->second;
-    const PatternPlace at = locator.locate(point.outline);
+    return locator.locate(point.outline);
+}
+
+std::optional<Vec3> CoverPlaces::onCover(const CoverPoint& point)
+{
+    const std::optional<PatternPlace> at = locate(point);
+    if (!at)
+        return std::nullopt;
     Vec3 place = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
-        place += at.weights[static_cast<Eigen::Index>(k)] * m_surface->positions[at.corners[k]];
+        place += at->weights[static_cast<Eigen::Index>(k)] * m_surface->positions[at->corners[k]];
     return place.allFinite() ? std::optional(place) : std::nullopt;
+}
+
+std::optional<Vec3> CoverPlaces::outwards(const CoverPoint& point)
+{
+    const std::optional<PatternPlace> at = locate(point);
+    if (!at)
+        return std::nullopt;
+    Vec3 normal = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+        normal += at->weights[static_cast<Eigen::Index>(k)] * m_surface->normals[at->corners[k]].cast<double>();
+    return normal.norm() > 0 ? std::optional(normal.normalized()) : std::nullopt;
 }
 
 std::optional<CoverPoint> CoverPlaces::inPattern(std::uint32_t triangle, const Vec3& place) const

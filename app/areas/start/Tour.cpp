@@ -78,7 +78,7 @@ void Tour::addSteps()
     const auto cover = [this] { pointAtDock(m_parts.docks.cover); };
     const auto pattern = [this] { pointAtDock(m_parts.docks.pattern); };
     m_steps = {
-        {Deed::CurveDragged, tr("Drag a curve on the frame"),
+        {Deed::CurveDragged, tr("Drag a fixation curve"),
          tr("The coloured curves on the frame are where the cloth is tied down. Click one of them, then drag one "
             "of its "
             "points: the cover follows."),

@@ -13,6 +13,10 @@
 #include "StartHint.h"
 #include "StartPage.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace bolster {
 
 FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
@@ -26,7 +30,9 @@ FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& se
     showFreeCover(solver);
     hintAtNext(commands);
     connect(&pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
-        if (kind == PatternToolKind::Select)
+        constexpr std::array draws{PatternToolKind::Rectangle, PatternToolKind::Ellipse, PatternToolKind::Outline};
+        const PatternToolKind before = std::exchange(m_tool, kind);
+        if (kind == PatternToolKind::Select && std::ranges::find(draws, before) != draws.end())
             showDrawn();
     });
 }

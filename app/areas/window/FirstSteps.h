@@ -1,6 +1,8 @@
 // What the window does for those who begin a design.
 #pragma once
 
+#include "PatternTools.h"
+
 #include <QObject>
 
 namespace bolster {
@@ -29,6 +31,7 @@ private:
     Selection& m_selection;
     PatternView& m_pattern;
     CoverView& m_surface;
+    PatternToolKind m_tool = PatternToolKind::Select;
 };
 
 } // namespace bolster

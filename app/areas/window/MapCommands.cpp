@@ -71,7 +71,7 @@ void MapCommands::addKinds()
                     .toggled = [this](bool) {
                         m_maps.setGuest(nullptr);
                         showMeasured();
-                        forgetPlace();
+                        hideSpot();
                     }});
 }
 
@@ -93,7 +93,7 @@ void MapCommands::connectViews()
     connect(&m_scans, &ScanLink::measured, this, &MapCommands::showMeasured);
     connect(m_docks.spots, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible)
-            forgetPlace();
+            hideSpot();
     });
     connect(&m_surface, &CoverView::coverPointed, this, &MapCommands::read);
     connect(&m_pattern, &PatternView::patchPointed, this, &MapCommands::read);
@@ -109,7 +109,7 @@ void MapCommands::choose()
             chosen = kind;
     m_maps.setKind(chosen);
     showMeasured();
-    forgetPlace();
+    hideSpot();
 }
 
 const ShownMapPtr& MapCommands::shown()
@@ -136,7 +136,7 @@ void MapCommands::read(const std::optional<CoverPoint>& place)
 }
 
 /// It was one of another map.
-void MapCommands::forgetPlace()
+void MapCommands::hideSpot()
 {
     m_surface.showPlace({});
     m_pattern.showPlace({});
@@ -167,7 +167,7 @@ void MapCommands::showSpotList()
 
 void MapCommands::showSpot(const CoverPoint& place)
 {
-    m_surface.reveal(place);
+    m_surface.face(place);
     m_pattern.reveal(place);
     m_surface.showPlace(place);
     m_pattern.showPlace(place);

@@ -27,6 +27,7 @@ public:
 
     /// In both views.
     void showSpot(const CoverPoint& place);
+    void hideSpot();
 
 private:
     void addKinds();
@@ -36,7 +37,6 @@ private:
     const ShownMapPtr& shown();
     void showMeasured();
     void read(const std::optional<CoverPoint>& place);
-    void forgetPlace();
     void fillSpots(QMenu& menu);
     void showSpotList();
 

@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Docks.h"
 #include "Inspector.h"
+#include "PaneSizes.h"
 
 #include <QAction>
 #include <QApplication>
@@ -48,7 +49,7 @@ void WindowCommands::focusNextPart(bool forward)
     QList<QDockWidget*> parts;
     qsizetype place = -1;
     for (QDockWidget* dock : m_docks.all()) {
-        if (!dock->isVisible() || dock->visibleRegion().isEmpty())
+        if (!isInFront(*dock))
             continue;
         if (now && dock->isAncestorOf(now))
             place = parts.size();

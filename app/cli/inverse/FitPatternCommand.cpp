@@ -3,6 +3,7 @@
 #include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "OutputFiles.h"
 #include "PatternFit.h"
 #include "ProgressLine.h"
 #include "Solving.h"
@@ -361,6 +362,7 @@ int fitPattern(std::span<const std::string> words)
     for (const std::string& goal : arguments.values("--to"))
         inputs << exactText(goal);
     expectDistinct(inputs, {out, report});
+    expectWritable({out, report});
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))

@@ -27,8 +27,7 @@ FitTarget targetIn(const QString& path, const Arguments& arguments, const std::s
         return target;
     }
     if (!read.cloud)
-        throw UsageError(path.toStdString() + ": " +
-                         (read.problem.empty() ? "interrupted" : read.problem.english()));
+        throw UsageError(read.problem.empty() ? "interrupted" : read.problem.english());
     PointCloud points = *read.cloud;
     points.points = upright(std::move(points.points));
     return targetOf(Scan{}, points);

@@ -5,6 +5,7 @@
 #include "LengthUnits.h"
 #include "MeshImport.h"
 #include "Output.h"
+#include "OutputFiles.h"
 #include "Solving.h"
 #include "Subcommands.h"
 #include "WholeFile.h"
@@ -173,6 +174,7 @@ int flattenForm(std::span<const std::string> words)
     if (out.isEmpty())
         throw UsageError("where to? --out DESIGN.json");
     expectDistinct({surface, arguments.path("--along")}, {out, report});
+    expectWritable({out, report});
     FormCuts cuts = cutsOf(arguments);
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);

@@ -2,6 +2,7 @@
 #include "DistinctFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "OutputFiles.h"
 #include "ProgressLine.h"
 #include "Reliefs.h"
 #include "Solving.h"
@@ -145,6 +146,7 @@ int relieve(std::span<const std::string> words)
     const Arguments arguments(words, relieveRules);
     const QString path = arguments.onlyFile("DESIGN");
     expectDistinct({path}, {arguments.path("--report")});
+    expectWritable({arguments.path("--report")});
     const ReliefOrder order = reliefOrder(arguments);
     for (int place = 1; arguments.has("--out-dir") && place <= order.solved; ++place)
         if (const QString file = reliefFile(arguments, place); QFile::exists(file))

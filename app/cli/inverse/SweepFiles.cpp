@@ -8,10 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 namespace bolster::cli {
 
@@ -113,8 +115,11 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
     Json spec;
     try {
         spec = Json::parse(file.bytes);
-    } catch (const Json::exception& error) {
-        refuse(path.toStdString(), error.what());
+    } catch (const Json::parse_error& error) {
+        const std::string_view before = std::string_view(file.bytes).substr(0, error.byte);
+        refuse(path.toStdString(), "is no JSON from line " + std::to_string(1 + std::ranges::count(before, '\n')) +
+                                       ", column " + std::to_string(before.size() - (before.rfind('\n') + 1)) +
+                                       " on");
     }
     if (!spec.is_object() || !spec.contains("tolerances") || !spec["tolerances"].is_object())
         refuse("tolerances", "an object is expected");

@@ -74,14 +74,17 @@ BSpline2 polyline(const std::vector<Vec2>& points, int degree, double start, dou
     return BSpline2(2, false, std::move(middles), std::move(doubled));
 }
 
-BSpline2 joined(const std::vector<BSpline2>& curves, std::vector<double>* starts)
+namespace {
+
+template <int Dim>
+BSpline<Dim> inOneRing(const std::vector<BSpline<Dim>>& curves, std::vector<double>* starts)
 {
     const int degree = curves.front().degree();
     const int before = (degree + 1) / 2; // of a clamped curve's knots: those that belong to the curve before
-    std::vector<Vec2> points;
+    std::vector<typename BSpline<Dim>::Point> points;
     std::vector<double> knots;
     double base = 0;
-    for (const BSpline2& curve : curves) {
+    for (const BSpline<Dim>& curve : curves) {
         if (starts)
             starts->push_back(base);
         for (int i = 0; i + 1 < curve.pointCount(); ++i) {
@@ -94,7 +97,24 @@ BSpline2 joined(const std::vector<BSpline2>& curves, std::vector<double>* starts
             *knot = base;
     }
     knots.push_back(base);
-    return BSpline2(degree, true, std::move(points), std::move(knots));
+    return BSpline<Dim>(degree, true, std::move(points), std::move(knots));
+}
+
+} // namespace
+
+BSpline2 joined(const std::vector<BSpline2>& curves, std::vector<double>* starts)
+{
+    return inOneRing(curves, starts);
+}
+
+BSpline2 closedCurve(const BSpline2& curve)
+{
+    return inOneRing<2>({curve}, nullptr);
+}
+
+BSpline3 closedCurve(const BSpline3& curve)
+{
+    return inOneRing<3>({curve}, nullptr);
 }
 
 BSpline2 beginningAt(const BSpline2& curve, double start)

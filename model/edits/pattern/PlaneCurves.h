@@ -24,6 +24,10 @@ BSpline2 polyline(const std::vector<Vec2>& points, int degree, double start, dou
 /// joints. Its domain begins at 0; `starts` becomes the parameter at which each curve begins.
 BSpline2 joined(const std::vector<BSpline2>& curves, std::vector<double>* starts);
 
+/// An open curve that ends where it begins as a closed one, with a corner there.
+BSpline2 closedCurve(const BSpline2& curve);
+BSpline3 closedCurve(const BSpline3& curve);
+
 /// The same closed curve with its domain beginning elsewhere; what joined() gives begins at 0.
 BSpline2 beginningAt(const BSpline2& curve, double start);
 /// The same place of a closed curve, by a parameter of its domain.

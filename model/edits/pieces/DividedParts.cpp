@@ -2,6 +2,7 @@
 
 #include "MatchedRange.h"
 #include "NeedlessKnots.h"
+#include "PlaneCurves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -155,14 +156,23 @@ private:
         }
     }
 
-    /// What two become takes the place of the one with the smaller id; the other goes.
+    /// What two become takes the place of the one with the smaller id; the other goes. It may meet a third one.
     template <class T>
     void join(const Pairs& pairs)
     {
-        std::set<ElementId> done;
-        for (const auto& [first, second] : pairs) {
-            if (first == second || done.contains(first) || done.contains(second))
+        std::map<ElementId, ElementId> became;
+        const auto now = [&](ElementId id) {
+            for (auto next = became.find(id); next != became.end(); next = became.find(id))
+                id = next->second;
+            return id;
+        };
+        for (const auto& [from, to] : pairs) {
+            const ElementId first = now(from), second = now(to);
+            if (first == second) {
+                if constexpr (std::is_same_v<T, HandleCurve>)
+                    closeRing(first);
                 continue;
+            }
             const T *one = m_builder.now().find<T>(first), *two = m_builder.now().find<T>(second);
             std::optional<T> whole = one && two ? both(*one, *two) : std::nullopt;
             if (!whole)
@@ -172,8 +182,24 @@ private:
                     std::tie(whole->name, whole->twin) = std::tie(two->name, two->twin);
             m_builder.replace(std::min(first, second), std::move(*whole));
             m_builder.remove(std::max(first, second));
-            done.insert({first, second});
+            became[std::max(first, second)] = std::min(first, second);
         }
+    }
+
+    /// All of its parts are one, and it ends where it begins.
+    void closeRing(ElementId id)
+    {
+        const auto isRing = [](const auto& curve) {
+            return !curve.empty() && !curve.closed() &&
+                   (curve.points().front() - curve.points().back()).norm() <= meetingDistance;
+        };
+        HandleCurve ring = *m_builder.now().find<HandleCurve>(id);
+        if (!isRing(ring.curve) || (ring.hasTarget() && !isRing(ring.target)))
+            return;
+        ring.curve = closedCurve(ring.curve);
+        if (ring.hasTarget())
+            ring.target = closedCurve(ring.target);
+        m_builder.replace(id, std::move(ring));
     }
 
     bool isJoint(double t) const

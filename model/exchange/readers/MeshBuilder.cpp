@@ -105,6 +105,7 @@ void MeshBuilder::addFace(std::span<const std::int64_t> corners, FilePlace place
                    QT_TRANSLATE_NOOP("Message", "%1: a face has %2 corners, and at most %3 are read; have it split "
                                                 "into triangles by the program that has made the file"),
                    {std::to_string(corners.size()), std::to_string(mostFaceCorners)});
+    m_anyFace = true;
     m_face.clear();
     for (const std::int64_t corner : corners) {
         if (corner < 0 || static_cast<std::uint64_t>(corner) >= m_points.size())
@@ -171,8 +172,11 @@ MeshBuilder::Part& MeshBuilder::currentPart(FilePlace place)
 
 TriangleMesh MeshBuilder::finish()
 {
+    constexpr auto* noArea = QT_TRANSLATE_NOOP("Message", "%1: none of its triangles has an area");
     if (m_triangleCount == 0)
-        refuseFile({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh") : holdsPointsOnly);
+        refuseFile({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh")
+                       : m_anyFace      ? noArea
+                                        : holdsPointsOnly);
     TriangleMesh mesh;
     mesh.triangles.reserve(m_triangleCount);
     for (Part& part : m_parts) {
@@ -186,7 +190,7 @@ TriangleMesh MeshBuilder::finish()
         return (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm() > 0;
     });
     if (flat) // a cover would have nothing to lie on
-        refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1: none of its triangles has an area"));
+        refuseFile({}, noArea);
     dropUnusedPoints(mesh);
     return mesh;
 }

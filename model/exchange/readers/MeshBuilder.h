@@ -55,6 +55,7 @@ private:
     std::string m_partName;
     std::size_t m_part = noPart;
     std::uint64_t m_triangleCount = 0;
+    bool m_anyFace = false; // also of those that are dropped
 
     std::vector<std::uint32_t> m_face; // scratch of addFace
     std::vector<Vec3> m_corners;

@@ -79,8 +79,21 @@ def frame(d):
         rails.bar(f"Rail {side}", [((x * 186, -440, 196), (16, 0, 0), (0, 0, 13)), ((x * 186, 70, 196), (16, 0, 0), (0, 0, 13))], 3)
         for end, y in (("front", -380), ("rear", -30)):
             rails.block(f"Foot {end} {side}", (x * 186, y, 222), (26, 60, 40), 4)
+    wires(rails)
     d.frame("Shell", shell, "plastic", "#26272a")
     d.frame("Rails", rails, "metal")
+
+
+def wires(rails):
+    """What the seams along the inserts are tied to lies under the cloth, and so do the ends at the rear of the cushion."""
+    for part, lines, (back, down) in (("Cushion", CUSHION, (0, 9)), ("Back", BACK, (9, 0))):
+        tie = [(x, y + back, z - down) for x, y, z in resample(lines_of(lines)["tie"], 24)]
+        for side, line in (("right", tie), ("left", mirrored(tie))):
+            rails.tube(f"{part} tie wire {side}", line, 2.5, 10, 1)
+    ends = [lines_of(CUSHION)[key][-1] for key in ("tie", "ridge", "lower")]
+    rear = [(x, y + 6, z - 4) for x, y, z in resample(ends, 12)]
+    for side, line in (("right", rear), ("left", mirrored(rear))):
+        rails.tube(f"Rear wire {side}", line, 2.5, 10, 1)
 
 
 def main():

@@ -70,7 +70,7 @@ def arms(d, fabric, outside_back):
     top = REAR_LOW[1][1]
     depth = top - FRONT
     x = length_of(roll)
-    arm = {"right": d.patch("Arm right", rectangle(x, depth), fabric, 0.05)}     # from the deck over the roll
+    arm = {"right": d.patch("Arm right", rectangle(x, depth), fabric, 0.1)}     # from the deck over the roll
     face = (Outline(INNER, LOW).line("bottom", OUTER, LOW).line("outer", *profile[-1])
             .round("roll", profile[-2::-1], radii).line("inner", INNER, LOW))
     facing = {"right": d.patch("Arm facing right", face, fabric, 0.02)}

@@ -127,7 +127,7 @@ void FrameEdgeTool::release(const CoverPointer& pointer)
     if (const FrameEdge* const edge = edgeAt(pointer))
         fix(*edge);
     else
-        m_context.report(tr("There is no edge of a frame here."));
+        m_context.report(tr("There is no edge of a frame here. A curve of your own: Frame > Draw fixation curve."));
 }
 
 /// One that is there already is selected.

@@ -183,36 +183,51 @@ bool CoverNavigation::inPicture(const Box3& box) const
     return true;
 }
 
-bool CoverNavigation::sees(const Camera& camera, const Vec3& place) const
+bool CoverNavigation::isInView(const Camera& camera, const Vec3& place) const
 {
     const std::optional<Vec2> pixel = camera.pixel(place);
-    if (!pixel || !QRectF(m_view.rect()).contains(pixel->x(), pixel->y()))
+    return pixel && QRectF(m_view.rect()).contains(pixel->x(), pixel->y());
+}
+
+bool CoverNavigation::sees(const Camera& camera, const Vec3& place) const
+{
+    if (!isInView(camera, place))
         return false;
     constexpr double near = 5; // mm: the pixel may be that of what lies beside it
-    const CoverHit hit = m_shown.hits().hitSolid(camera, {pixel->x(), pixel->y()});
+    const Vec2 pixel = *camera.pixel(place);
+    const CoverHit hit = m_shown.hits().hitSolid(camera, {pixel.x(), pixel.y()});
     return !hit || camera.depth(hit.position) > camera.depth(place) - near;
 }
 
-/// First it is moved, then turned as little as needed.
 void CoverNavigation::reveal(const Vec3& place)
 {
-    if (sees(m_camera, place))
+    if (isInView(m_camera, place))
         return;
-    Camera there = m_camera;
-    const std::optional<Vec2> pixel = there.pixel(place);
-    if (!pixel || !QRectF(m_view.rect()).contains(pixel->x(), pixel->y()))
-        there.target = place;
-    constexpr double step = 30 * std::numbers::pi / 180;
-    const Vec3 pivot = there.target == place ? place : middle();
-    Camera best = there;
-    double least = std::numeric_limits<double>::infinity();
-    for (int sideways = -5; sideways <= 6; ++sideways)
-        for (int up = -4; up <= 4; ++up) {
-            const double way = std::abs(sideways) + 1.5 * std::abs(up);
-            Camera turned = there;
-            turned.orbit(sideways * step, up * step, pivot);
-            if (way < least && sees(turned, place)) {
-                least = way;
+    Camera camera = m_camera;
+    camera.target = place;
+    goTo(camera);
+}
+
+void CoverNavigation::face(const Vec3& place, const Vec3& outwards)
+{
+    constexpr double slanted = 0.2; // cosine, at least
+    const auto isFaced = [&](const Camera& camera) { return camera.backward().dot(outwards) > slanted; };
+    if (sees(m_camera, place) && isFaced(m_camera))
+        return;
+    constexpr double step = std::numbers::pi / 12;
+    Camera best = m_camera;
+    double most = -std::numeric_limits<double>::infinity();
+    for (int around = 0; around < 24; ++around)
+        for (int up = 0; up <= 5; ++up) {
+            Camera turned = m_camera;
+            turned.orbit(around * step, up * step - m_camera.elevation, middle());
+            if (!isInView(turned, place))
+                turned.target = place;
+            // What is seen at all, then from outside, then with the least turning.
+            const double worth =
+                4 * sees(turned, place) + 2 * isFaced(turned) + m_camera.backward().dot(turned.backward());
+            if (worth > most) {
+                most = worth;
                 best = turned;
             }
         }

@@ -39,8 +39,11 @@ public:
     bool perspective() const { return m_camera.perspective; }
     /// All of the box can be seen, but for what stands in front of it.
     bool inPicture(const Box3& box) const;
-    /// Turns or moves the picture if the place (mm) is behind something or not in it.
+    /// Moves the picture if the place (mm) is not in it.
     void reveal(const Vec3& place);
+    /// Also turns it, from the side or from above, if the place is behind something or seen from inside.
+    /// `outwards`: of the cover there.
+    void face(const Vec3& place, const Vec3& outwards);
 
     /// About the middle of the scene; radians.
     void turn(double azimuthBy, double elevationBy);
@@ -72,6 +75,7 @@ private:
     void goTo(const Camera& camera);
     Camera destination() const;
     double frontSide() const;
+    bool isInView(const Camera& camera, const Vec3& place) const;
     bool sees(const Camera& camera, const Vec3& place) const;
     bool comesBack(const Box3& box) const;
 

@@ -161,6 +161,13 @@ void CoverView::reveal(const CoverPoint& point)
         m_navigation.reveal(*place);
 }
 
+void CoverView::face(const CoverPoint& point)
+{
+    const std::optional<Vec3> place = m_shown.onCover(point), outwards = m_shown.outwards(point);
+    if (place && outwards)
+        m_navigation.face(*place, *outwards);
+}
+
 void CoverView::cameraMoved()
 {
     if (m_shown.scene().section || !m_tools.tool().guides().empty())

@@ -77,6 +77,8 @@ public:
     void setMeasurementsShown(bool shown) { m_measures->setWanted(shown); }
     /// Moves the picture if the point is not in it.
     void reveal(const bolster::CoverPoint& point);
+    /// Turned so that it is seen from outside.
+    void face(const bolster::CoverPoint& point);
 
     void setTool(bolster::CoverToolKind kind) { m_tools.setTool(kind); }
     CoverToolKind tool() const { return m_tools.kind(); }

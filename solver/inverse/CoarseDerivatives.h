@@ -1,0 +1,34 @@
+// Derivatives of a cover from covers on fewer triangles: these move nearly alike, and cost a fraction of the time.
+#pragma once
+
+#include "CoverTeam.h"
+
+namespace bolster {
+
+/// The vertices of a cover's surface, mm; those that are sewn together once for each patch.
+std::vector<Vec3> vertexPlaces(const WarmCover& cover);
+
+class CoarseDerivatives {
+public:
+    /// What is measured of a cover: of its triangles and where they lie in the pattern, of the places of its vertices,
+    /// and of its design.
+    using Measure = std::function<Eigen::VectorXd(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                                                  const Design& design)>;
+
+    /// `order`: of the covers on fewer triangles. `threads`: 0: as many as the machine has; results do not depend
+    /// on it.
+    CoarseDerivatives(const SolveInput& input, const WarmOrder& order, int threads,
+                      const std::stop_token& stop = {});
+
+    /// Empty when they are at rest at home.
+    const Message& problem() const { return m_team.problem(); }
+    /// Of the measure of `fine`, at rest at the design `at`, by each freedom, in its own unit.
+    Derivatives of(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
+                   const Measure& measure, const std::function<void(double)>& progress = {},
+                   const std::stop_token& stop = {});
+
+private:
+    CoverTeam m_team;
+};
+
+} // namespace bolster
