@@ -86,12 +86,12 @@ def frame(d):
 
 def wires(rails):
     """What the seams along the inserts are tied to lies under the cloth, and so do the ends at the rear of the cushion."""
-    for part, lines, (back, down) in (("Cushion", CUSHION, (0, 9)), ("Back", BACK, (9, 0))):
-        tie = [(x, y + back, z - down) for x, y, z in resample(lines_of(lines)["tie"], 24)]
+    for part, lines, (back, down) in (("Cushion", CUSHION, (8, 9)), ("Back", BACK, (9, 0))):
+        tie = [(x, y + back, z - down) for x, y, z in resample(lines_of(lines)["tie"], 24)[1:-1]]
         for side, line in (("right", tie), ("left", mirrored(tie))):
             rails.tube(f"{part} tie wire {side}", line, 2.5, 10, 1)
     ends = [lines_of(CUSHION)[key][-1] for key in ("tie", "ridge", "lower")]
-    rear = [(x, y + 6, z - 4) for x, y, z in resample(ends, 12)]
+    rear = [(x - 6, y - 8, z - 18) for x, y, z in resample(ends, 12)]
     for side, line in (("right", rear), ("left", mirrored(rear))):
         rails.tube(f"Rear wire {side}", line, 2.5, 10, 1)
 
