@@ -77,7 +77,7 @@ QListWidgetItem* ProblemsView::addRow(const QIcon& sign, const QString& text, co
 void ProblemsView::choose(const QListWidgetItem& item)
 {
     if (const QVariant finding = item.data(findingRole); finding.isValid())
-        emit findingChosen(m_findings.at(finding.toUInt()));
+        emit findingChosen(CoverFinding(m_findings.at(finding.toUInt()))); // who hears it may change the list
     else
         emit chosen(ElementId{item.data(Qt::UserRole).toInt()});
 }

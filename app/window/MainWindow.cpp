@@ -368,11 +368,14 @@ bool MainWindow::focusNextPrevChild(bool next)
                 return !isInFront(*dock);
         return false;
     };
-    const QWidget* const first = focusWidget();
-    while (QMainWindow::focusNextPrevChild(next))
-        if (focusWidget() == first || !isBehind(focusWidget()))
+    constexpr int mostBehind = 1000;
+    for (int k = 0; k < mostBehind; ++k) {
+        if (!QMainWindow::focusNextPrevChild(next))
+            return false;
+        if (!isBehind(focusWidget()))
             return true;
-    return false;
+    }
+    return true;
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -178,6 +178,7 @@ private:
     std::vector<std::unique_ptr<QObject>> m_areas; ///< of commands; they go first
     ViewCommands* m_viewCommands = nullptr;
     MapCommands* m_mapCommands = nullptr;
+    bool m_findingMarked = false; ///< its place, in both views
     StartCommands* m_startCommands = nullptr;
     Tour* m_tour = nullptr;
     bool m_jobsShown = false;   ///< by itself

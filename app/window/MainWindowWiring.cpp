@@ -63,6 +63,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace bolster {
 
@@ -398,8 +399,8 @@ void MainWindow::connectFindings()
         m_status->setFindings(findings, known);
         m_problemList->setFindings(findings, known);
         countProblems();
-        if (known && findings.empty())
-            m_mapCommands->hideSpot(); // it may be that of one that is gone
+        if (known && findings.empty() && std::exchange(m_findingMarked, false))
+            m_mapCommands->hideSpot();
     };
     connect(m_findings.get(), &FindingsLink::changed, this, update);
     // A window that is destroyed hides its docks, when the findings are gone.
@@ -410,6 +411,7 @@ void MainWindow::connectFindings()
         if (!document().design().element(finding.element))
             return;
         m_selection.set({finding.element});
+        m_findingMarked = finding.place.has_value();
         if (finding.place)
             m_mapCommands->showSpot({finding.place->patch, finding.place->outline});
         else

@@ -10,8 +10,8 @@ std::vector<Vec3> vertexPlaces(const WarmCover& cover);
 
 class CoarseDerivatives {
 public:
-    /// What is measured of a cover: of its triangles and where they lie in the pattern, of the places of its vertices,
-    /// and of its design.
+    /// What is measured of a cover: of its triangles and where they lie in the pattern, of the places of its
+    /// vertices, and of its design.
     using Measure = std::function<Eigen::VectorXd(const SurfaceTopology& topology, const std::vector<Vec3>& places,
                                                   const Design& design)>;
 
@@ -22,6 +22,9 @@ public:
 
     /// Empty when they are at rest at home.
     const Message& problem() const { return m_team.problem(); }
+    /// Goes to another design, as WarmCover does. It goes there by itself when it is asked about it; in small steps
+    /// it gets there on the same triangles.
+    bool moveHome(const Design& design, const std::stop_token& stop = {}) { return m_team.moveHome(design, stop); }
     /// Of the measure of `fine`, at rest at the design `at`, by each freedom, in its own unit.
     Derivatives of(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
                    const Measure& measure, const std::function<void(double)>& progress = {},

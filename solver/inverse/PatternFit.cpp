@@ -324,7 +324,7 @@ private:
         double cost = first;
         for (int k = 0; k < mostStepsOfRound && !m_stop.stop_requested(); ++k) {
             const double before = cost;
-            if (!takeStep(cover, jacobian, now, cost, damping) || before - cost < settledStep * before)
+            if (!takeStep(cover, few, jacobian, now, cost, damping) || before - cost < settledStep * before)
                 break;
         }
         m_reached = cost;
@@ -342,7 +342,8 @@ private:
     }
 
     /// False when no step makes it better. Derivatives learn from every step that is tried (Broyden).
-    bool takeStep(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost, double& damping)
+    bool takeStep(WarmCover& cover, CoarseDerivatives& few, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now,
+                  double& cost, double& damping)
     {
         const Eigen::MatrixXd squares = jacobian.transpose() * jacobian + m_change;
         const Eigen::VectorXd slope =
@@ -359,7 +360,7 @@ private:
             const Eigen::VectorXd moved = (values - m_result.values).cwiseQuotient(m_scale);
             const Eigen::VectorXd expected = now + jacobian * moved;
             jacobian += (rows - expected) * moved.transpose() / moved.squaredNorm();
-            if (!cover.moveHome(design, m_stop))
+            if (!cover.moveHome(design, m_stop) || (!m_fewAreLike && !few.moveHome(design, m_stop)))
                 return false;
             m_result.values = values;
             m_result.design = design;

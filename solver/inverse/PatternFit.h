@@ -49,8 +49,9 @@ struct FitResult {
 Design withEases(const Design& before, const Design& changed);
 
 /// Gauss-Newton steps with Levenberg's damping, whose derivatives are differences of covers at rest; first on few
-/// triangles, then on those of the design. A step is taken only if the cover that comes to rest is better.
-/// `progress`: share of the work, about, and what was reached. The result is the same on any number of threads.
+/// triangles, then on those of the design, whose derivatives are still those of the few where these have led to
+/// what is right on many, too. A step is taken only if the cover that comes to rest is better. `progress`: share of
+/// the work, about, and what was reached. The result is the same on any number of threads.
 FitResult fitPattern(const SolveInput& input, const FitOrder& order,
                      const std::function<void(double, const FitRound&)>& progress = {},
                      const std::stop_token& stop = {});

@@ -8,6 +8,7 @@
 #include "HistoryPanel.h"
 #include "HistoryView.h"
 #include "Inspector.h"
+#include "PaneSizes.h"
 
 #include <QLineEdit>
 #include <QMenu>
@@ -15,6 +16,8 @@
 #include <QProgressDialog>
 #include <QTemporaryDir>
 #include <QTreeView>
+
+#include <set>
 
 namespace bolster {
 namespace {
@@ -102,6 +105,34 @@ TEST_F(KeyboardTest, F6LeadsThroughTheParts)
     EXPECT_EQ(part(), docks.pattern);
     key(Qt::Key_F6, Qt::ShiftModifier);
     EXPECT_EQ(part(), docks.inspector);
+}
+
+TEST_F(KeyboardTest, TabAndF6KeepToWhatIsSeen)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    Docks& docks = window.docks();
+    Docks::reveal(docks.cutting);
+    Docks::reveal(docks.problems); // before the other one
+    docks.elements->raise();       // before History, Seams and Fabrics
+    takeKeyboard();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isInFront(*docks.problems) && !isInFront(*docks.cutting); }));
+    docks.problems->widget()->setFocus();
+    std::set<QDockWidget*> tabbed, walked;
+    for (int k = 0; k < 150; ++k) {
+        const bool keepsTab = part() == docks.pattern || part() == docks.cover;
+        key(keepsTab ? Qt::Key_F6 : k < 75 ? Qt::Key_Tab : Qt::Key_Backtab);
+        if (QDockWidget* dock = part()) {
+            EXPECT_TRUE(isInFront(*dock)) << dock->objectName().toStdString();
+            tabbed.insert(dock);
+        }
+    }
+    EXPECT_GE(tabbed.size(), 3u);
+    for (int k = 0; k < 8; ++k) {
+        key(Qt::Key_F6);
+        walked.insert(part());
+    }
+    EXPECT_TRUE(walked.contains(docks.problems));
+    EXPECT_FALSE(walked.contains(docks.cutting) || walked.contains(docks.history));
 }
 
 TEST_F(KeyboardTest, TabWalksThroughThePattern)
