@@ -5929,10 +5929,6 @@
         <translation>Eine Version wurde gerettet</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>Von %1 wäre jenseits des Schnitts weniger als eine Netzkante geblieben: Sie endet jetzt dort.</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1: Keines der Dreiecke hat eine Fläche</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>Die Form hat nur eine Seite, wie ein verdrehtes Band: Wo ihre Außenseite auf die Innenseite trifft, bleibt sie offen</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>Teile von %1, die kürzer als eine Netzkante sind, sind mit dem Schnitt weggefallen.</translation>
     </message>
 </context>
 <context>

@@ -5929,10 +5929,6 @@
         <translation>Se recuperó una versión</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>De %1 quedaba menos de una arista de la malla más allá del corte: ahora termina ahí.</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1: ninguno de sus triángulos tiene área</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>La forma tiene una sola cara, como una banda retorcida: queda abierta donde su exterior se junta con su interior</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>Las partes de %1 más cortas que una arista de la malla han desaparecido con el corte.</translation>
     </message>
 </context>
 <context>

@@ -5929,10 +5929,6 @@
         <translation>Une version a été récupérée</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>De %1 il restait moins d’une arête du maillage au-delà de la coupe&#x202f;: elle s’y termine maintenant.</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1&#x202f;: aucun de ses triangles n’a de surface</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>La forme n’a qu’une face, comme une bande torsadée&#x202f;: elle reste ouverte là où l’extérieur rejoint l’intérieur</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>Les parties de %1 plus courtes qu’une arête du maillage ont disparu avec la coupe.</translation>
     </message>
 </context>
 <context>

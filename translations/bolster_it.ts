@@ -5929,10 +5929,6 @@
         <translation>È stata recuperata una versione</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>Di %1 restava meno di uno spigolo della maglia oltre il taglio: ora finisce lì.</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1: nessuno dei suoi triangoli ha un’area</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>La forma ha un solo lato, come un nastro ritorto: resta aperta dove l’esterno incontra l’interno</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>Le parti di %1 più corte di un lato della maglia sono scomparse con il taglio.</translation>
     </message>
 </context>
 <context>

@@ -5925,10 +5925,6 @@
         <translation>1 個のバージョンを復旧しました</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>%1 は切断線の先にメッシュの辺より短い部分しか残らないため、切断線で終わるようにしました。</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1: 面積のある三角形がありません</translation>
     </message>
@@ -5955,6 +5951,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>形状はねじれた帯のように片面しかありません。表と裏が出会う所は開いたままにします</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>%1 のうちメッシュの辺より短い部分は切断でなくなりました。</translation>
     </message>
 </context>
 <context>

@@ -5933,10 +5933,6 @@
         <translation>Odzyskano jedną wersję</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>Za cięciem z %1 zostałoby mniej niż krawędź siatki: teraz kończy się na cięciu.</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1: żaden z trójkątów nie ma powierzchni</translation>
     </message>
@@ -5963,6 +5959,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>Forma ma tylko jedną stronę, jak skręcona wstęga: pozostaje otwarta tam, gdzie zewnętrze styka się z wnętrzem</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>Części %1 krótsze niż krawędź siatki zniknęły przy cięciu.</translation>
     </message>
 </context>
 <context>

@@ -5925,10 +5925,6 @@
         <translation>已恢复一个版本</translation>
     </message>
     <message>
-        <source>Less than a mesh edge was left of %1 beyond the cut: it ends there now.</source>
-        <translation>%1 在切口另一侧剩下的长度小于网格边长：现在在切口处结束。</translation>
-    </message>
-    <message>
         <source>%1: none of its triangles has an area</source>
         <translation>%1：没有任何三角形具有面积</translation>
     </message>
@@ -5955,6 +5951,10 @@
     <message>
         <source>The form has one side only, as a twisted band: it is left open where its outside meets its inside</source>
         <translation>形体像扭转的带子一样只有一面：内外相接处保持敞开</translation>
+    </message>
+    <message>
+        <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
+        <translation>%1 中短于网格边的部分已随剪切消失。</translation>
     </message>
 </context>
 <context>

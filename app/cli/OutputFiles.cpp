@@ -87,11 +87,26 @@ std::string whyNotWritten(const QString& path)
     return folder.isWritable() ? "" : "cannot be written: you may not write into that folder";
 }
 
-void expectWritable(std::initializer_list<QString> paths)
+bool canBeWritten(std::initializer_list<QString> paths)
 {
+    bool all = true;
     for (const QString& path : paths)
-        if (const std::string why = path.isEmpty() ? std::string() : whyNotWritten(path); !why.empty())
-            throw UsageError("\"" + path.toStdString() + "\" " + why);
+        if (const std::string why = path.isEmpty() ? std::string() : whyNotWritten(path); !why.empty()) {
+            printError("error: \"" + path.toStdString() + "\" " + why);
+            all = false;
+        }
+    return all;
+}
+
+bool canBeMade(const QString& folder)
+{
+    QFileInfo there(folder);
+    while (!folder.isEmpty() && !there.exists() && there.absolutePath() != there.absoluteFilePath())
+        there.setFile(there.absolutePath());
+    if (folder.isEmpty() || (there.isDir() && there.isWritable()))
+        return true;
+    printError("error: the folder \"" + folder.toStdString() + "\" cannot be made");
+    return false;
 }
 
 bool OutputFiles::canBeWritten() const

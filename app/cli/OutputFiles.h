@@ -12,8 +12,10 @@ namespace bolster::cli {
 /// Why a file cannot be written, as far as that is known before ("is a folder"); "" when it may well be.
 std::string whyNotWritten(const QString& path);
 
-/// Throws UsageError when one of them cannot be written, as far as that is known before; "" is none.
-void expectWritable(std::initializer_list<QString> paths);
+/// False when one of these files cannot be written, as far as that is known before: prints why; "" is none.
+bool canBeWritten(std::initializer_list<QString> paths);
+/// Likewise of a folder that is made when it is not there.
+bool canBeMade(const QString& folder);
 
 class OutputFiles {
 public:

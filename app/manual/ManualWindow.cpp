@@ -1,6 +1,7 @@
 #include "ManualWindow.h"
 
 #include "Icons.h"
+#include "ViewColors.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -105,7 +106,14 @@ ManualWindow::ManualWindow(QString folder, QWidget* parent)
     layout->addWidget(m_text, 1);
     m_text->setFocus();
     resize(QSize(760, 800).boundedTo(screen()->availableSize() - QSize(40, 80))); // with its frame and title
-    move(screen()->availableGeometry().topRight() - QPoint(width() + 20, -40));   // beside what is worked at
+}
+
+void ManualWindow::standBeside(const QPoint& place)
+{
+    constexpr int margin = 20;
+    const QRect room = screen()->availableGeometry();
+    const bool left = place.x() > room.center().x();
+    move(left ? room.left() + margin : room.right() - width() - margin, room.top() + 2 * margin);
 }
 
 void ManualWindow::openAt(const QString& place)
@@ -150,7 +158,8 @@ void ManualWindow::scrollTo(const QString& anchor)
             m_text->setTextCursor(QTextCursor(block));
             QTextEdit::ExtraSelection mark; // it may be in the middle of the window, at the end of a page
             mark.cursor = QTextCursor(block);
-            mark.format.setBackground(palette().color(QPalette::AlternateBase));
+            mark.format.setBackground(
+                mixed(palette().color(QPalette::Base), palette().color(QPalette::Highlight), 0.22));
             mark.format.setProperty(QTextFormat::FullWidthSelection, true);
             m_text->setExtraSelections({mark});
             m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->value() +

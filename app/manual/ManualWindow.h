@@ -17,6 +17,8 @@ public:
     /// `folder`: its pages, Markdown.
     explicit ManualWindow(QString folder, QWidget* parent = nullptr);
 
+    /// Where it covers this place of the screen least.
+    void standBeside(const QPoint& place);
     /// "page.md#heading"; the page from its beginning when it has no such heading.
     void openAt(const QString& place);
     /// The page that is shown, and the heading that was asked for.

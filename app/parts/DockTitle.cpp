@@ -16,6 +16,12 @@
 
 namespace bolster {
 
+namespace {
+
+constexpr int lineWidth = 2; // pixels: below the title, or below the tabs, of the part that has the keyboard
+
+} // namespace
+
 DockTitle::DockTitle(QDockWidget* dock)
     : QWidget(dock)
     , m_dock(dock)
@@ -90,24 +96,24 @@ void DockTitle::updateTabbed()
 
 QSize DockTitle::sizeHint() const
 {
-    return m_tabbed ? QSize(0, 0) : QWidget::sizeHint();
+    return m_tabbed ? QSize(0, lineWidth) : QWidget::sizeHint();
 }
 
 QSize DockTitle::minimumSizeHint() const
 {
-    return m_tabbed ? QSize(0, 0) : QWidget::minimumSizeHint();
+    return m_tabbed ? QSize(0, lineWidth) : QWidget::minimumSizeHint();
 }
 
 void DockTitle::paintEvent(QPaintEvent*)
 {
-    if (m_tabbed)
-        return;
     QPainter painter(this);
+    if (m_active)
+        painter.fillRect(QRect(0, height() - lineWidth, width(), lineWidth), palette().color(QPalette::Highlight));
+    if (m_tabbed || m_active)
+        return;
     const QColor line = mixed(palette().color(QPalette::Window), palette().color(QPalette::Text), 0.13);
     painter.setPen(line);
     painter.drawLine(rect().bottomLeft(), rect().bottomRight());
-    if (m_active)
-        painter.fillRect(QRect(0, height() - 2, width(), 2), palette().color(QPalette::Highlight));
 }
 
 } // namespace bolster

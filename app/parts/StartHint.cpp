@@ -186,10 +186,13 @@ void StartHint::place()
     bool begun = false;
     m_document.design().each<Patch>([&](ElementId, const Patch&) { begun = true; });
     m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
-    setVisible(!begun && !m_drawing && !m_covered);
     const QRect room = m_over.freeRoom();
+    const auto fits = [&] {
+        return layout()->totalHeightForWidth(std::min(room.width(), widest)) <= room.height();
+    };
     m_lists->show();
-    m_lists->setVisible(layout()->totalHeightForWidth(std::min(room.width(), widest)) <= room.height());
+    m_lists->setVisible(fits());
+    setVisible(!begun && !m_drawing && !m_covered && fits());
     const QSize size(std::min(room.width(), widest), std::min(room.height(), sizeHint().height()));
     setGeometry(QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, size, room));
 }

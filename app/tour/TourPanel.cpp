@@ -76,6 +76,8 @@ void TourPanel::say(int step, int steps, const QString& title, const QString& te
     m_next->setDefault(false);
     m_leave->setVisible(true);
     fit();
+    if (step == 1)
+        m_next->setFocus(Qt::OtherFocusReason); // nobody works at anything yet
 }
 
 void TourPanel::praise(const QString& text)

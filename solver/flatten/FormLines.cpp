@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace bolster {
@@ -362,20 +363,36 @@ private:
         return false;
     }
 
-    /// Of a place on the form, mm; infinite where none is near.
+    /// The place of a border that is nearest to a place on the form; none where no border is near.
+    std::optional<Vec3> borderNear(const Vec3& at) const
+    {
+        const auto [near, face] = m_tree.closest_point_and_primitive(toCgal(at));
+        std::optional<Vec3> found;
+        for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
+            for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v))) {
+                if (!m_form.mesh.is_border(m_form.mesh.edge(half)))
+                    continue;
+                const Vec3 from = fromCgal(m_form.mesh.point(m_form.mesh.source(half)));
+                const Vec3 way = fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - from;
+                const double share = way.squaredNorm() > 0 ? (at - from).dot(way) / way.squaredNorm() : 0;
+                const Vec3 place = from + std::clamp(share, 0.0, 1.0) * way;
+                if (!found || (place - at).norm() < (*found - at).norm())
+                    found = place;
+            }
+        return found;
+    }
+
     double distanceFromBorder(const Vec3& at) const
     {
-        const Kernel::Point_3 place = toCgal(at);
-        const auto [near, face] = m_tree.closest_point_and_primitive(place);
-        double square = std::numeric_limits<double>::infinity();
-        for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
-            for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v)))
-                if (m_form.mesh.is_border(m_form.mesh.edge(half)))
-                    square = std::min(square,
-                                      CGAL::squared_distance(
-                                          place, Kernel::Segment_3(m_form.mesh.point(m_form.mesh.source(half)),
-                                                                   m_form.mesh.point(m_form.mesh.target(half)))));
-        return std::sqrt(square);
+        const std::optional<Vec3> border = borderNear(at);
+        return border ? (*border - at).norm() : std::numeric_limits<double>::infinity();
+    }
+
+    /// Where a line that comes from along the border leaves it: straight across, a little outside.
+    Vec3 acrossBorder(const Vec3& at) const
+    {
+        const Vec3 border = borderNear(at).value_or(at), way = border - at;
+        return way.norm() > 0 ? Vec3(border + overshoot * way.normalized()) : border;
     }
 
     /// The parts of a line between those that run along a border, which cut nothing; the line itself where it only
@@ -409,13 +426,16 @@ private:
             for (auto k = from; k < to; ++k)
                 cuts = cuts || (distances[k] > away && !isBeyond(places[k]));
             if (cuts) {
-                const auto first = std::max<std::ptrdiff_t>(0, from - 1),
-                           last = std::min(std::ssize(places), to + 1);
-                if (first == 0 && last == std::ssize(places) && !line.closed)
+                const bool comes = from > 0, goes = to < std::ssize(places);
+                if (from <= 1 && to + 1 >= std::ssize(places) && !line.closed)
                     return {line};
                 FormLine part = line;
                 part.closed = false;
-                part.points.assign(places.begin() + first, places.begin() + last);
+                part.points.assign(places.begin() + from, places.begin() + to);
+                if (comes)
+                    part.points.insert(part.points.begin(), acrossBorder(places[from]));
+                if (goes)
+                    part.points.push_back(acrossBorder(places[to - 1]));
                 parts.push_back(std::move(part));
             }
             begin = end;

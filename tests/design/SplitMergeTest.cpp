@@ -243,7 +243,7 @@ TEST_F(SplitMerge, StubsOfHandlesThatAreTooShortGo)
     EXPECT_NEAR(handle->target.points().front().x(), 103, 1e-6);
     EXPECT_EQ(handle->name, "Lumbar");
     EXPECT_EQ(outcome.edit.note.english(),
-              "Less than a mesh edge was left of Lumbar beyond the cut: it ends there now.");
+              "Parts of Lumbar that are shorter than a mesh edge have gone with the cut.");
     EXPECT_TRUE(outcome.dropped.empty());
 }
 

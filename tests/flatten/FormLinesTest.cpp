@@ -261,6 +261,17 @@ TEST(FormLines, AlongTheBorderCutNothing)
     for (int k = 21; k <= 40; ++k)
         across.points.emplace_back(12.5 * k, 500, onSheet(12.5 * k, 500));
     expectTwoHalves(across);
+
+    // Along the border, and off it in a bend.
+    FormLine bends{"Bends", {}, false};
+    const auto bend = [&](double x, double y) { bends.points.emplace_back(x, y, onSheet(x, y)); };
+    for (int x = 20; x < 100; x += 5)
+        bend(x, 0.1 * std::sin(x));
+    for (int k = 0; k <= 60; ++k)
+        bend(100 + 150 * std::sin(std::numbers::pi / 120 * k), 150 - 150 * std::cos(std::numbers::pi / 120 * k));
+    for (int y = 160; y <= 500; y += 10)
+        bend(250, y);
+    expectTwoHalves(bends);
 }
 
 TEST(FormLines, FarFromTheFormChangeNothing)

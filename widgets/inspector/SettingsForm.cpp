@@ -69,6 +69,7 @@ void SettingsForm::addSymmetry(PropertyForm& form, const InspectorSubject<Settin
                 });
             });
         form.explain(tip);
+        form.nameRow(QStringLiteral("field.symmetry"));
     };
     row(tr("Plane through"), tr("A point of the plane in which the cover is mirrored"), lengthRange, 3,
         &Symmetry::planePoint);

@@ -114,8 +114,11 @@ void ManualCommands::open(const QString& place)
     QWidget* parent = above ? above : &m_window;
     if (m_manual && m_manual->parentWidget() != parent)
         m_manual->close();
-    if (!m_manual || m_manual->parentWidget() != parent)
+    if (!m_manual || m_manual->parentWidget() != parent) {
         m_manual = new ManualWindow(m_folder, parent);
+        const QWidget* focus = QApplication::focusWidget();
+        m_manual->standBeside(focus ? focus->mapToGlobal(focus->rect().center()) : QCursor::pos());
+    }
     m_manual->openAt(place);
     m_manual->QWidget::show();
     m_manual->raise();

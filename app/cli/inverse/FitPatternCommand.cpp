@@ -328,6 +328,10 @@ std::string reachedText(const FitGoals& goals, const FitFigures& figures)
 void printOutcome(const FitOrder& order, const FitResult& result)
 {
     printResult("before: " + reachedText(order.goals, result.before));
+    if (result.status == FitResult::Status::NothingToDo && result.rounds.empty()) {
+        printError("warning: nothing is over the limits; the design is written as it was");
+        return;
+    }
     printResult("after:  " + reachedText(order.goals, result.after));
     printResult("points of the pattern have moved by " +
                 numberText(largestChange(order.freedoms, result.values), 3) + " mm at most, the cover by " +
@@ -341,8 +345,7 @@ void printOutcome(const FitOrder& order, const FitResult& result)
     if (result.jumped)
         printError("warning: a fold came or went on the way, so the result is less sure: look at the cover");
     if (result.status == FitResult::Status::NothingToDo)
-        printError(result.rounds.empty() ? "warning: nothing is over the limits; the design is written as it was"
-                                         : "warning: no change makes it better; the design is written as it was");
+        printError("warning: no change makes it better; the design is written as it was");
 }
 
 } // namespace
@@ -362,7 +365,8 @@ int fitPattern(std::span<const std::string> words)
     for (const std::string& goal : arguments.values("--to"))
         inputs << exactText(goal);
     expectDistinct(inputs, {out, report});
-    expectWritable({out, report});
+    if (!canBeWritten({out, report}))
+        return otherFailure;
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))

@@ -174,7 +174,8 @@ int flattenForm(std::span<const std::string> words)
     if (out.isEmpty())
         throw UsageError("where to? --out DESIGN.json");
     expectDistinct({surface, arguments.path("--along")}, {out, report});
-    expectWritable({out, report});
+    if (!canBeWritten({out, report}))
+        return otherFailure;
     FormCuts cuts = cutsOf(arguments);
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);

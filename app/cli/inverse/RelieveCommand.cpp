@@ -146,7 +146,9 @@ int relieve(std::span<const std::string> words)
     const Arguments arguments(words, relieveRules);
     const QString path = arguments.onlyFile("DESIGN");
     expectDistinct({path}, {arguments.path("--report")});
-    expectWritable({arguments.path("--report")});
+    if (!canBeWritten({arguments.path("--report")}) ||
+        !canBeMade(arguments.has("--out-dir") ? arguments.path("--out-dir") : QString()))
+        return otherFailure;
     const ReliefOrder order = reliefOrder(arguments);
     for (int place = 1; arguments.has("--out-dir") && place <= order.solved; ++place)
         if (const QString file = reliefFile(arguments, place); QFile::exists(file))

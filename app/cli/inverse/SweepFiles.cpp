@@ -120,6 +120,8 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
         refuse(path.toStdString(), "is no JSON from line " + std::to_string(1 + std::ranges::count(before, '\n')) +
                                        ", column " + std::to_string(before.size() - (before.rfind('\n') + 1)) +
                                        " on");
+    } catch (const Json::exception&) {
+        refuse(path.toStdString(), "a number in it is too large");
     }
     if (!spec.is_object() || !spec.contains("tolerances") || !spec["tolerances"].is_object())
         refuse("tolerances", "an object is expected");

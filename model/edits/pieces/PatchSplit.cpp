@@ -86,10 +86,10 @@ public:
         m_builder.apply(withColourOf(m_builder.now(), m_id, m_small.id));
         outcome.edit = m_builder.result({QT_TRANSLATE_NOOP("Message", "Split %1"), {displayName(m_design, m_id)}});
         if (!m_shortened.empty())
-            outcome.edit.note = {QT_TRANSLATE_NOOP("Message",
-                                                   "Less than a mesh edge was left of %1 beyond the cut: "
-                                                   "it ends there now."),
-                                 {displayName(m_design, m_shortened.front())}};
+            outcome.edit.note = {
+                QT_TRANSLATE_NOOP("Message",
+                                  "Parts of %1 that are shorter than a mesh edge have gone with the cut."),
+                {displayName(m_design, m_shortened.front())}};
         return outcome;
     }
 
