@@ -87,14 +87,24 @@ std::string whyNotWritten(const QString& path)
     return folder.isWritable() ? "" : "cannot be written: you may not write into that folder";
 }
 
+namespace {
+
+/// Prints why not; `option` as the line names it.
+bool mayBeWritten(const std::string& option, const QString& path)
+{
+    const std::string why = whyNotWritten(path);
+    if (!why.empty())
+        printError("error: " + option + "\"" + path.toStdString() + "\" " + why);
+    return why.empty();
+}
+
+} // namespace
+
 bool canBeWritten(std::initializer_list<QString> paths)
 {
     bool all = true;
     for (const QString& path : paths)
-        if (const std::string why = path.isEmpty() ? std::string() : whyNotWritten(path); !why.empty()) {
-            printError("error: \"" + path.toStdString() + "\" " + why);
-            all = false;
-        }
+        all = (path.isEmpty() || mayBeWritten("", path)) && all;
     return all;
 }
 
@@ -112,12 +122,8 @@ bool canBeMade(const QString& folder)
 bool OutputFiles::canBeWritten() const
 {
     bool all = true;
-    for (const auto& [option, path] : m_paths) {
-        const std::string why = whyNotWritten(path);
-        if (!why.empty())
-            printError("error: " + option + ": \"" + path.toStdString() + "\" " + why);
-        all = all && why.empty();
-    }
+    for (const auto& [option, path] : m_paths)
+        all = mayBeWritten(option + ": ", path) && all;
     return all;
 }
 

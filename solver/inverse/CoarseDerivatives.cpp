@@ -39,16 +39,6 @@ std::vector<PatternPlace> placesOn(const SurfaceTopology& few, const SurfaceTopo
 
 } // namespace
 
-std::vector<Vec3> vertexPlaces(const WarmCover& cover)
-{
-    const Eigen::Matrix3Xd positions = cover.state().positions;
-    std::vector<Vec3> places;
-    places.reserve(cover.mesh().topology->unknown.size());
-    for (const std::uint32_t u : cover.mesh().topology->unknown)
-        places.emplace_back(positions.col(u));
-    return places;
-}
-
 CoarseDerivatives::CoarseDerivatives(const SolveInput& input, const WarmOrder& order, int threads,
                                      const std::stop_token& stop)
     : m_team(input, order, threads, stop)

@@ -5,9 +5,6 @@
 
 namespace bolster {
 
-/// The vertices of a cover's surface, mm; those that are sewn together once for each patch.
-std::vector<Vec3> vertexPlaces(const WarmCover& cover);
-
 class CoarseDerivatives {
 public:
     /// What is measured of a cover: of its triangles and where they lie in the pattern, of the places of its

@@ -46,6 +46,16 @@ double usualStep(const Freedom& freedom)
     return freedom.step > freedom.most ? -freedom.step : freedom.step;
 }
 
+std::vector<Vec3> vertexPlaces(const WarmCover& cover)
+{
+    const Eigen::Matrix3Xd positions = cover.state().positions;
+    std::vector<Vec3> places;
+    places.reserve(cover.mesh().topology->unknown.size());
+    for (const std::uint32_t u : cover.mesh().topology->unknown)
+        places.emplace_back(positions.col(u));
+    return places;
+}
+
 Eigen::VectorXd placesOf(const WarmCover& cover)
 {
     const Eigen::Matrix3Xd positions = cover.state().positions;

@@ -44,6 +44,8 @@ Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Fre
                           const CoverMeasure& measure, bool central,
                           const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 
+/// The vertices of a cover's surface, mm; those that are sewn together once for each patch.
+std::vector<Vec3> vertexPlaces(const WarmCover& cover);
 /// Where all unknowns of a cover are, mm: x y z after each other.
 Eigen::VectorXd placesOf(const WarmCover& cover);
 

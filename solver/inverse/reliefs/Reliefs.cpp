@@ -21,19 +21,9 @@ constexpr double leastGain = 1e-3;
 constexpr double spareOfMost = 0.5;     // differences are taken at this share of the bound
 constexpr double sharePredicting = 0.7; // of the progress; the rest is solving the best
 
-std::vector<Vec3> placesOfVertices(const WarmCover& cover)
-{
-    const Eigen::Matrix3Xd positions = cover.state().positions;
-    std::vector<Vec3> places;
-    places.reserve(cover.mesh().topology->unknown.size());
-    for (const std::uint32_t u : cover.mesh().topology->unknown)
-        places.emplace_back(positions.col(u));
-    return places;
-}
-
 CoverStrains strainsOf(const WarmCover& cover, const std::optional<double>& limit)
 {
-    return coverStrains(*cover.mesh().topology, placesOfVertices(cover), cover.homeDesign(), limit);
+    return coverStrains(*cover.mesh().topology, vertexPlaces(cover), cover.homeDesign(), limit);
 }
 
 /// Strains as polynomials of an amount, from those at three.
