@@ -33,19 +33,14 @@ constexpr double sprang = 1.5; // times the cost that the last round had: the co
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
 constexpr double leastEffect = 1e-7;                            // of a freedom, against the strongest one
 
-/// Of triangles that give about so many vertices, mm.
-double edgeFor(const Design& design, double vertices)
-{
-    double area = 0;
-    design.each<Patch>([&](ElementId, const Patch& patch) { area += std::abs(patch.outline.signedArea()); });
-    return std::sqrt(area / (vertices * std::sqrt(0.75)));
-}
-
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
 std::vector<double> edgesFor(const Design& design)
 {
-    const double last = std::max(design.settings().edgeLength, edgeFor(design, manyVertices));
-    const double first = edgeFor(design, fewVertices);
+    double area = 0;
+    design.each<Patch>([&](ElementId, const Patch& patch) { area += std::abs(patch.outline.signedArea()); });
+    const auto edgeFor = [&](double vertices) { return std::sqrt(area / (vertices * std::sqrt(0.75))); };
+    const double last = std::max(design.settings().edgeLength, edgeFor(manyVertices));
+    const double first = edgeFor(fewVertices);
     return first * first > worthIt * last * last ? std::vector{first, last} : std::vector{last};
 }
 
