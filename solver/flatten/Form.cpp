@@ -5,6 +5,7 @@
 #include "HalfEdges.h"
 #include "SimplifyMesh.h"
 #include "UnionFind.h"
+#include "WeldedForm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace bolster {
 
 namespace {
 
-using Corners = std::array<int, 3>;
+using Corners = WeldedForm::Corners;
 using Edge = std::pair<int, int>; // of points, the lesser one first
 
 constexpr int samplesOfSpan = 8;   // of a curve
@@ -26,58 +27,9 @@ constexpr double leastWidth = 0.5; // mm
 constexpr int mostDissolving = 50; // rounds
 constexpr int mostCutsOpen = 200;  // of rings; more holes than that nobody wants to sew up
 
-/// Each place once; triangles with an area, and the part that each belongs to.
-struct Welded {
-    std::vector<Vec3> points;
-    std::vector<Corners> triangles;
-    std::vector<int> part;
-    std::vector<std::string> names;
-};
-
-std::vector<int> partOfTriangles(const TriangleMesh& mesh)
-{
-    std::vector<int> part(mesh.triangles.size(), 0);
-    for (std::size_t k = 0; k < mesh.parts.size(); ++k)
-        for (std::uint32_t t = 0; t < mesh.parts[k].triangleCount; ++t)
-            part[mesh.parts[k].firstTriangle + t] = static_cast<int>(k);
-    return part;
-}
-
-Welded weld(const TriangleMesh& mesh)
-{
-    Welded welded;
-    std::map<std::array<long long, 3>, int> places; // in 0.1 micrometres: texts have rounded them alike
-    std::vector<int> place(mesh.points.size());
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        std::array<long long, 3> key{};
-        for (int axis = 0; axis < 3; ++axis)
-            key[axis] = std::llround(mesh.points[i][axis] * 1e4);
-        const auto [found, isNew] = places.emplace(key, static_cast<int>(welded.points.size()));
-        if (isNew)
-            welded.points.push_back(mesh.points[i]);
-        place[i] = found->second;
-    }
-    const std::vector<int> part = partOfTriangles(mesh);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        Corners corners{};
-        for (std::size_t k = 0; k < 3; ++k)
-            corners[k] = place[mesh.triangles[t][k]];
-        const Vec3 &a = welded.points[corners[0]], &b = welded.points[corners[1]], &c = welded.points[corners[2]];
-        if (!((b - a).cross(c - a).norm() > 1e-9 * (b - a).squaredNorm()))
-            continue;
-        welded.triangles.push_back(corners);
-        welded.part.push_back(part[t]);
-    }
-    for (const TriangleMesh::Part& there : mesh.parts)
-        welded.names.push_back(there.name);
-    if (welded.names.empty())
-        welded.names.emplace_back();
-    return welded;
-}
-
 class Cutter {
 public:
-    Cutter(Welded welded, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
+    Cutter(WeldedForm welded, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
         : m_welded(std::move(welded))
         , m_cuts(cuts)
         , m_stop(stop)
@@ -86,7 +38,7 @@ public:
 
     Form cut()
     {
-        orient();
+        turnAlike(m_welded, m_form.notes, m_stop);
         cutLines();
         findCuts();
         for (int round = 0; round < mostDissolving && !m_stop.stop_requested() && m_form.problem.empty(); ++round) {
@@ -117,59 +69,11 @@ private:
         return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
     }
 
-    /// Neighbours shall run along a common edge in opposite directions; each sheet as most of it does already.
-    void orient()
-    {
-        std::vector<std::vector<std::pair<int, bool>>> neighbours(count()); // and whether one must be turned
-        const std::vector<HalfEdge> halves = halfEdges(m_welded.triangles, m_stop);
-        if (m_stop.stop_requested())
-            return;
-        eachEdge(halves, [&](const HalfEdge* first, const HalfEdge* last) {
-            if (last - first != 2)
-                return;
-            const bool turned = first[0].forward == first[1].forward;
-            neighbours[first[0].triangle].emplace_back(first[1].triangle, turned);
-            neighbours[first[1].triangle].emplace_back(first[0].triangle, turned);
-        });
-        std::vector<signed char> turn(count(), -1);
-        int turned = 0;
-        bool oneSided = false;
-        for (std::size_t start = 0; start < count(); ++start) {
-            if (turn[start] >= 0)
-                continue;
-            std::vector<std::size_t> sheet{start};
-            turn[start] = 0;
-            for (std::size_t k = 0; k < sheet.size(); ++k)
-                for (const auto& [other, differs] : neighbours[sheet[k]])
-                    if (const auto fits = static_cast<signed char>(turn[sheet[k]] ^ static_cast<int>(differs));
-                        turn[other] < 0) {
-                        turn[other] = fits;
-                        sheet.push_back(other);
-                    } else {
-                        oneSided = oneSided || turn[other] != fits;
-                    }
-            const auto wrong = std::ranges::count_if(sheet, [&](std::size_t t) { return turn[t] == 1; });
-            const signed char less = 2 * wrong > std::ssize(sheet) ? 0 : 1;
-            for (const std::size_t t : sheet)
-                if (turn[t] == less) {
-                    std::swap(m_welded.triangles[t][1], m_welded.triangles[t][2]);
-                    ++turned;
-                }
-        }
-        if (oneSided)
-            m_form.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "The form has one side only, as a twisted band: it is "
-                                              "left open where its outside meets its inside"),
-                 {}});
-        if (turned > 0)
-            m_form.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"), {std::to_string(turned)}});
-    }
-
     void cutLines()
     {
         if (m_cuts.lines.empty() || m_stop.stop_requested())
             return;
+        partSheets(m_welded, m_stop);
         LinedTriangles lined =
             cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop, m_draft);
         if (!lined.problem.empty()) {
@@ -190,10 +94,7 @@ private:
         if (m_stop.stop_requested())
             return;
         const double bend = m_cuts.angle ? std::cos(*m_cuts.angle * std::numbers::pi / 180) : -2;
-        int crowded = 0;
         eachEdge(m_halves, [&](const HalfEdge* first, const HalfEdge* last) {
-            if (last - first > 2)
-                ++crowded;
             if (last - first != 2)
                 return;
             const bool parts =
@@ -202,11 +103,6 @@ private:
             if (parts || bends || first[0].forward == first[1].forward)
                 m_cut.insert({first->low, first->high});
         });
-        if (crowded > 0)
-            m_form.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 edges of the form belong to more than two faces: "
-                                              "they are borders, nothing is sewn there"),
-                 {std::to_string(crowded)}});
     }
 
     bool isWhole(const HalfEdge* first, const HalfEdge* last) const
@@ -470,7 +366,7 @@ private:
                  {std::to_string(m_opened)}});
     }
 
-    Welded m_welded;
+    WeldedForm m_welded;
     FormCuts m_cuts;
     std::stop_token m_stop;
     FormDraft* m_draft;
@@ -507,7 +403,7 @@ std::vector<FormLine> linesOf(const Design& design)
 static Form cutFewer(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
 {
     Form form;
-    Welded welded = weld(mesh);
+    WeldedForm welded = weld(mesh);
     if (welded.triangles.empty()) {
         form.problem = {QT_TRANSLATE_NOOP("Message", "it has no triangle with an area"), {}};
         return form;

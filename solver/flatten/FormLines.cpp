@@ -1,13 +1,12 @@
 #include "FormLines.h"
 
+#include "LinedMesh.h"
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,33 +19,15 @@ namespace bolster {
 namespace {
 
 namespace Pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = CgalMesh::Vertex_index;
-using FormEdge = CgalMesh::Edge_index;
-using Face = CgalMesh::Face_index;
 using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<CgalMesh>>>;
 
 constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
 constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
 constexpr double shortest = 1, longest = 1e5;    // mm, of a line
 constexpr double farthest = 25;                  // mm: what lies farther from the form is no line on it
-constexpr double reach = 10;       // mm: a line that ends so near to a border or another line goes on to it
-constexpr double overshoot = 1;    // mm, so that they surely cross
-constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
-constexpr double lowest = 0.01;    // height of a triangle, of its longest edge
-constexpr int roundsOfTidying = 6;
-constexpr double longestSpur = 14; // mm: what hangs over at the end of a line that was prolonged
-
-Kernel::Point_3 toCgal(const Vec3& p)
-{
-    return {p.x(), p.y(), p.z()};
-}
-
-Vec3 fromCgal(const Kernel::Point_3& p)
-{
-    return {p.x(), p.y(), p.z()};
-}
+constexpr double reach = 10; // mm: a line that ends so near to a border or another line goes on to it
+constexpr double leastLoop = 5 * reach;
+constexpr double overshoot = 1; // mm, so that they surely cross
 
 /// Which part the triangles belong to that others are divided into.
 struct PartsKept : Pmp::Corefinement::Default_visitor<CgalMesh> {
@@ -93,24 +74,6 @@ std::vector<Vec3> evenly(const FormLine& line, double spacing)
     return places;
 }
 
-/// For CGAL: edges that must not go.
-struct HeldEdges {
-    const CgalMesh* mesh;
-    const CgalMesh::Property_map<FormEdge, bool>* cut;
-    FormEdge goes = CgalMesh::null_edge(); ///< is to go, though it may lie at a border
-    friend bool get(const HeldEdges& held, FormEdge e)
-    {
-        return e != held.goes && ((*held.cut)[e] || held.mesh->is_border(e));
-    }
-};
-
-using Edge = std::pair<int, int>; // the lesser point first
-
-Edge edgeOf(int a, int b)
-{
-    return {std::min(a, b), std::max(a, b)};
-}
-
 /// Triangles that a ribbon may meet. It meets no edge between one of them and another one.
 std::vector<int> trianglesNear(const TriangleSoup& soup, const CgalMesh& strip)
 {
@@ -132,89 +95,6 @@ std::vector<int> trianglesNear(const TriangleSoup& soup, const CgalMesh& strip)
     }
     return found;
 }
-
-/// Triangles of the form as CGAL has them.
-struct Piece {
-    CgalMesh mesh;
-    CgalMesh::Property_map<Face, int> part;
-    CgalMesh::Property_map<FormEdge, bool> cut;
-    std::vector<int> triangles; ///< of the soup
-    std::vector<int> point;     ///< of each vertex that it had from the beginning
-
-    /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point.
-    bool build(const TriangleSoup& soup, std::vector<int> chosen)
-    {
-        *this = {};
-        if (chosen.empty())
-            for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-                chosen.push_back(static_cast<int>(t));
-        triangles = std::move(chosen);
-        part = mesh.add_property_map<Face, int>("f:part", 0).first;
-        std::vector<int> vertexOf(soup.points.size(), -1);
-        for (const int t : triangles) {
-            std::array<Vertex, 3> corners;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const int p = soup.triangles[static_cast<std::size_t>(t)][k];
-                int& vertex = vertexOf[static_cast<std::size_t>(p)];
-                if (vertex < 0) {
-                    vertex = static_cast<int>(point.size());
-                    point.push_back(p);
-                    mesh.add_vertex(toCgal(soup.points[static_cast<std::size_t>(p)]));
-                }
-                corners[k] = Vertex(static_cast<CgalMesh::size_type>(vertex));
-            }
-            const Face face = mesh.add_face(corners[0], corners[1], corners[2]);
-            if (face == CgalMesh::null_face())
-                return false;
-            part[face] = soup.part[static_cast<std::size_t>(t)];
-        }
-        cut = mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
-        for (const FormEdge e : mesh.edges())
-            cut[e] = !soup.cuts.empty() &&
-                     soup.cuts.contains(edgeOf(pointOf(mesh.vertex(e, 0)), pointOf(mesh.vertex(e, 1))));
-        return true;
-    }
-
-    /// In place of the triangles that it was made of.
-    void putBack(TriangleSoup& soup)
-    {
-        std::set<int> gone(triangles.begin(), triangles.end());
-        for (const int t : triangles)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto& corners = soup.triangles[static_cast<std::size_t>(t)];
-                soup.cuts.erase(edgeOf(corners[k], corners[(k + 1) % 3]));
-            }
-        std::size_t kept = 0;
-        for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-            if (!gone.contains(static_cast<int>(t))) {
-                soup.triangles[kept] = soup.triangles[t];
-                soup.part[kept++] = soup.part[t];
-            }
-        soup.triangles.resize(kept);
-        soup.part.resize(kept);
-        std::vector<int> now = point; // and of new vertices
-        for (const Vertex v : mesh.vertices())
-            if (v.idx() >= now.size()) {
-                now.resize(v.idx() + 1, -1);
-                now[v.idx()] = static_cast<int>(soup.points.size());
-                soup.points.push_back(fromCgal(mesh.point(v)));
-            }
-        for (const Face f : mesh.faces()) {
-            std::array<int, 3> corners{};
-            std::size_t k = 0;
-            for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-                corners[k++] = now[v.idx()];
-            soup.triangles.push_back(corners);
-            soup.part.push_back(part[f]);
-        }
-        for (const FormEdge e : mesh.edges())
-            if (cut[e])
-                soup.cuts.insert(edgeOf(now[mesh.vertex(e, 0).idx()], now[mesh.vertex(e, 1).idx()]));
-    }
-
-private:
-    int pointOf(Vertex v) const { return point[v.idx()]; }
-};
 
 class LineCutter {
 public:
@@ -254,7 +134,7 @@ public:
                  {line.name, numberText(away, 2)}});
             return;
         }
-        const std::vector<FormLine> parts = awayFromBorder(line);
+        const std::vector<FormLine> parts = awayFromBorder(comesBack(line, length) ? closed(line) : line);
         if (parts.empty())
             m_notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form: there is nothing "
@@ -268,9 +148,8 @@ public:
     {
         m_tree.clear(); // of the form as it was
         m_form.build(m_soup, {});
-        pruneSpurs();
-        for (int round = 0; round < roundsOfTidying && (joinNearPoints() || flattenCaps()); ++round)
-            m_form.mesh.collect_garbage();
+        m_form.pruneSpurs();
+        m_form.tidy();
         LinedTriangles result;
         result.notes = m_notes;
         std::map<Vertex, int> number;
@@ -291,16 +170,31 @@ public:
                 const int a = number[m_form.mesh.vertex(e, 0)], b = number[m_form.mesh.vertex(e, 1)];
                 result.cuts.insert({std::min(a, b), std::max(a, b)});
             }
-        for (const Vertex v : looseEnds())
+        for (const Vertex v : m_form.looseEnds())
             result.notes.push_back(looseEnd(fromCgal(m_form.mesh.point(v)), lines));
         return result;
     }
 
 private:
+    /// Whether it would go on from its end to its own beginning.
+    static bool comesBack(const FormLine& line, double length)
+    {
+        return !line.closed && line.points.size() > 3 && length > leastLoop &&
+               (line.points.front() - line.points.back()).norm() < reach;
+    }
+
+    static FormLine closed(FormLine line)
+    {
+        line.closed = true;
+        if ((line.points.front() - line.points.back()).norm() < shortest)
+            line.points.pop_back();
+        return line;
+    }
+
     void cutNow(const FormLine& line, const std::vector<FormLine>& all, const std::stop_token& stop)
     {
         CgalMesh strip = ribbonAlong(line, all);
-        Piece near;
+        LinedMesh near;
         // Where sheets touch in a point when they are taken alone, all of it is.
         if (!near.build(m_soup, trianglesNear(m_soup, strip)))
             near.build(m_soup, {});
@@ -319,6 +213,7 @@ private:
                                {line.name}});
             return;
         }
+        near.tidy(); // the next line meets whole triangles
         near.putBack(m_soup);
     }
 
@@ -516,131 +411,6 @@ private:
         return strip;
     }
 
-    std::vector<FormEdge> cutsAt(Vertex v) const
-    {
-        std::vector<FormEdge> cuts;
-        for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v)))
-            if (const FormEdge e = m_form.mesh.edge(half); m_form.cut[e] && !m_form.mesh.is_border(e))
-                cuts.push_back(e);
-        return cuts;
-    }
-
-    std::vector<Vertex> looseEnds() const
-    {
-        std::vector<Vertex> ends;
-        for (const Vertex v : m_form.mesh.vertices())
-            if (!m_form.mesh.is_isolated(v) && !m_form.mesh.is_border(v) && cutsAt(v).size() == 1)
-                ends.push_back(v);
-        return ends;
-    }
-
-    double lengthOf(FormEdge e) const
-    {
-        return std::sqrt(CGAL::squared_distance(m_form.mesh.point(m_form.mesh.vertex(e, 0)),
-                                                m_form.mesh.point(m_form.mesh.vertex(e, 1))));
-    }
-    bool isHeld(FormEdge e) const { return get(HeldEdges{&m_form.mesh, &m_form.cut}, e); }
-    bool isOnLine(Vertex v) const
-    {
-        const auto around = m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v));
-        return std::ranges::any_of(around, [&](auto half) { return m_form.cut[m_form.mesh.edge(half)]; });
-    }
-
-    /// Of those edges of two triangles beside an edge that become one, one at most is held.
-    bool canCollapse(FormEdge e) const
-    {
-        if (!CGAL::Euler::does_satisfy_link_condition(e, m_form.mesh))
-            return false;
-        for (const auto half : {m_form.mesh.halfedge(e, 0), m_form.mesh.halfedge(e, 1)})
-            if (!m_form.mesh.is_border(half) && isHeld(m_form.mesh.edge(m_form.mesh.next(half))) &&
-                isHeld(m_form.mesh.edge(m_form.mesh.prev(half))))
-                return false;
-        const Vertex a = m_form.mesh.vertex(e, 0), b = m_form.mesh.vertex(e, 1);
-        const bool bothHeld =
-            (isOnLine(a) || m_form.mesh.is_border(a)) && (isOnLine(b) || m_form.mesh.is_border(b));
-        return isHeld(e) || !bothHeld;
-    }
-
-    /// A line that passes close by a point goes through it. Whether there were such.
-    bool joinNearPoints()
-    {
-        std::vector<FormEdge> edges;
-        for (const FormEdge e : m_form.mesh.edges())
-            if (lengthOf(e) < nearPoints)
-                edges.push_back(e);
-        bool any = false;
-        for (const FormEdge e : edges) {
-            if (m_form.mesh.is_removed(e) || lengthOf(e) >= nearPoints || !canCollapse(e))
-                continue;
-            const Vertex a = m_form.mesh.vertex(e, 0), b = m_form.mesh.vertex(e, 1);
-            // Borders stay where they are, and lines where nothing else is.
-            const auto rank = [&](Vertex v) { return m_form.mesh.is_border(v) ? 2 : isOnLine(v) ? 1 : 0; };
-            const Kernel::Point_3 at = m_form.mesh.point(rank(a) > rank(b) ? a : b);
-            m_form.cut[e] = false;
-            m_form.mesh.point(CGAL::Euler::collapse_edge(e, m_form.mesh, HeldEdges{&m_form.mesh, &m_form.cut, e})) =
-                at;
-            any = true;
-        }
-        return any;
-    }
-
-    /// Triangles that are as good as their longest edge: another edge takes its place, or the line goes the other
-    /// way around. Whether there were such.
-    bool flattenCaps()
-    {
-        bool any = false;
-        for (const Face f : m_form.mesh.faces()) {
-            auto longest = m_form.mesh.halfedge(f);
-            for (auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(f)))
-                if (lengthOf(m_form.mesh.edge(half)) > lengthOf(m_form.mesh.edge(longest)))
-                    longest = half;
-            const FormEdge e = m_form.mesh.edge(longest);
-            const Vec3 a = fromCgal(m_form.mesh.point(m_form.mesh.source(longest)));
-            const Vec3 b = fromCgal(m_form.mesh.point(m_form.mesh.target(longest)));
-            const Vec3 c = fromCgal(m_form.mesh.point(m_form.mesh.target(m_form.mesh.next(longest))));
-            if ((b - a).cross(c - a).norm() > lowest * (b - a).squaredNorm() || m_form.mesh.is_border(e))
-                continue;
-            const auto other = m_form.mesh.opposite(longest);
-            const Vertex c1 = m_form.mesh.target(m_form.mesh.next(longest)),
-                         c2 = m_form.mesh.target(m_form.mesh.next(other));
-            if (m_form.mesh.halfedge(c1, c2) != CgalMesh::null_halfedge())
-                continue;
-            if (m_form.cut[e]) {
-                m_form.cut[e] = false;
-                m_form.cut[m_form.mesh.edge(m_form.mesh.next(longest))] =
-                    m_form.cut[m_form.mesh.edge(m_form.mesh.prev(longest))] = true;
-            }
-            CGAL::Euler::flip_edge(longest, m_form.mesh);
-            any = true;
-        }
-        return any;
-    }
-
-    /// What hangs over where a line has met another one.
-    void pruneSpurs()
-    {
-        for (const FormEdge e : m_form.mesh.edges())
-            if (m_form.mesh.is_border(e))
-                m_form.cut[e] = false;
-        for (Vertex end : looseEnds()) {
-            std::vector<FormEdge> spur;
-            double length = 0;
-            for (Vertex at = end; length <= longestSpur;) {
-                std::vector<FormEdge> cuts = cutsAt(at);
-                std::erase_if(cuts, [&](FormEdge e) { return std::ranges::find(spur, e) != spur.end(); });
-                if (cuts.size() != 1 || (at != end && m_form.mesh.is_border(at)))
-                    break;
-                spur.push_back(cuts.front());
-                length += std::sqrt(CGAL::squared_distance(m_form.mesh.point(m_form.mesh.vertex(cuts.front(), 0)),
-                                                           m_form.mesh.point(m_form.mesh.vertex(cuts.front(), 1))));
-                at = m_form.mesh.vertex(cuts.front(), m_form.mesh.vertex(cuts.front(), 0) == at ? 1 : 0);
-            }
-            if (length <= longestSpur)
-                for (const FormEdge e : spur)
-                    m_form.cut[e] = false;
-        }
-    }
-
     Message looseEnd(const Vec3& at, const std::vector<FormLine>& lines) const
     {
         double nearest = std::numeric_limits<double>::infinity();
@@ -670,7 +440,7 @@ private:
 
     TriangleSoup m_soup;
     double m_spacing; // mm between places on a line
-    Piece m_form;     // as it was, at last cut and tidied
+    LinedMesh m_form; // as it was, at last cut and tidied
     bool m_whole;
     FaceTree m_tree; // of it as it was
     std::vector<Message> m_notes;

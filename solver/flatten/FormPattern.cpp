@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace bolster {
@@ -22,8 +23,7 @@ constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
 constexpr double rowsWide = 1.5;       // times as wide as high is what lies in rows
 constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles beside a cut turn over, and mean nothing
-constexpr double openCut = 0.6;      // mm between the sides of a cut
-constexpr double touching = 0.01;    // mm
+constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
@@ -126,57 +126,63 @@ private:
     }
     const Vec2& flatPoint(std::size_t p, std::size_t k) const { return m_flat[p].at[piece(p).border[k]]; }
 
-    /// The same of rings that were cut open and needed none to lie flat.
-    void openRing(std::size_t p)
+    bool isCutEdge(std::size_t p, std::size_t k) const { return piece(p).mates[k].piece == static_cast<int>(p); }
+
+    /// How far it is along the cut to where it ends inside the piece, of each place of the border; infinite where
+    /// there is no such end.
+    std::vector<double> distancesToTips(std::size_t p) const
     {
         const FormPiece& there = piece(p);
-        for (std::size_t k = 0; k < there.border.size(); ++k) {
-            const EdgeMate& mate = there.mates[k];
-            if (mate.piece != static_cast<int>(p))
-                continue;
-            const int here = there.border[k],
-                      other = there.border[there.after(static_cast<std::size_t>(mate.edge))];
-            Vec2 &a = m_flat[p].at[here], &b = m_flat[p].at[other];
-            const Vec2 way = flatPoint(p, there.after(k)) - a;
-            if (here == other || (a - b).norm() > touching || !(way.norm() > 0))
-                continue;
-            const Vec2 inside = Vec2(-way.y(), way.x()).normalized(); // of what runs counter-clockwise
-            a += openCut / 2 * inside;
-            b -= openCut / 2 * inside;
+        const std::size_t count = there.border.size();
+        std::vector<double> distances(count, std::numeric_limits<double>::infinity());
+        for (std::size_t tip = 0; tip < count; ++tip) {
+            if (!isCutEdge(p, tip) || there.mates[tip].edge != static_cast<int>(there.before(tip)))
+                continue; // what comes before the end of a cut is sewn to what comes after it
+            double along = distances[tip] = 0;
+            for (std::size_t k = tip, left = count; left > 1 && isCutEdge(p, k); --left, k = there.after(k)) {
+                along += (flatPoint(p, there.after(k)) - flatPoint(p, k)).norm();
+                distances[there.after(k)] = std::min(distances[there.after(k)], along);
+            }
+            along = 0;
+            for (std::size_t k = there.before(tip), left = count; left > 1 && isCutEdge(p, k);
+                 --left, k = there.before(k)) {
+                along += (flatPoint(p, there.after(k)) - flatPoint(p, k)).norm();
+                distances[k] = std::min(distances[k], along);
+            }
         }
+        return distances;
     }
 
-    /// A cut that ends inside a piece which needs none opens nowhere, and an outline must not touch itself: its
+    /// A cut that needs no room lies edge to edge when the piece is flat, and an outline must not touch itself: its
     /// sides are drawn apart a little, less towards its end.
     void openCuts(std::size_t p)
     {
         const FormPiece& there = piece(p);
         const std::size_t count = there.border.size();
-        for (std::size_t tip = 0; tip < count; ++tip) {
-            const EdgeMate& mate = there.mates[tip];
-            if (mate.none() || mate.piece != static_cast<int>(p) ||
-                mate.edge != static_cast<int>(there.before(tip)))
-                continue; // not the end of a cut: what comes before it is sewn to what comes after it
-            double along = 0;
-            for (std::size_t k = 1; k < count / 2; ++k) {
-                const std::size_t left = (tip + count - k) % count, right = (tip + k) % count;
-                const EdgeMate& sewn = there.mates[left];
-                if (sewn.piece != static_cast<int>(p) || sewn.edge != static_cast<int>(there.before(right)))
-                    break;
-                Vec2& a = m_flat[p].at[there.border[left]];
-                Vec2& b = m_flat[p].at[there.border[right]];
-                const Vec2 way = a - flatPoint(p, there.after(left));
-                along += (flatPoint(p, there.after(left)) - a).norm();
-                const double wanted = openCut * std::min(1.0, along / openWithin);
-                if ((b - a).norm() >= wanted || !(way.norm() > 0))
-                    continue;
-                // Inside is on the left of the border, which runs towards the tip here.
-                const Vec2 inside = Vec2(way.y(), -way.x()).normalized();
-                const Vec2 middle = (a + b) / 2;
-                a = middle + wanted / 2 * inside;
-                b = middle - wanted / 2 * inside;
-            }
+        const std::vector<double> toTip = distancesToTips(p);
+        std::vector<Vec2> ways(count, Vec2::Zero()); // the sum of the directions into the piece that ask for room,
+        std::vector<double> rooms(count, 0);         // and of how much each asks for
+        const auto ask = [&](std::size_t k, std::size_t mate, const Vec2& inside) {
+            const Vec2 apart = flatPoint(p, k) - flatPoint(p, mate);
+            const double room = openCut * std::min(1.0, toTip[k] / openWithin) - apart.dot(inside);
+            if (k == mate || room <= 0 || apart.norm() > 2 * openCut)
+                return;
+            ways[k] += inside;
+            rooms[k] += room / 2;
+        };
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t next = there.after(k);
+            const Vec2 way = flatPoint(p, next) - flatPoint(p, k);
+            if (!isCutEdge(p, k) || !(way.norm() > 0))
+                continue;
+            const Vec2 inside = Vec2(-way.y(), way.x()).normalized(); // of what runs counter-clockwise
+            const auto mate = static_cast<std::size_t>(there.mates[k].edge);
+            ask(k, there.after(mate), inside);
+            ask(next, mate, inside);
         }
+        for (std::size_t k = 0; k < count; ++k)
+            if (rooms[k] > 0) // where two directions ask, both get it
+                m_flat[p].at[there.border[k]] += ways[k] * rooms[k] / std::max(ways[k].squaredNorm(), 0.5);
     }
 
     bool beginsRow(std::size_t p, std::size_t k) const
@@ -202,7 +208,6 @@ private:
             return;
         }
         openCuts(p);
-        openRing(p);
         try {
             addOutline(p);
         } catch (const std::invalid_argument&) { // edges without a length

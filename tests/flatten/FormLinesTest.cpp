@@ -132,14 +132,31 @@ TEST(FormLines, KeepThePartsOfTheForm)
     EXPECT_EQ(names, (std::vector<std::string>{"Left", "Left 2", "Right", "Right 2"}));
 }
 
-TEST(FormLines, NeedAFormThatIsASurface)
+TEST(FormLines, CutFormsWithEdgesOfThreeFaces)
 {
     TriangleMesh book = gridMesh(2, 2, [](double u, double v) { return Vec3(100 * u, 100 * v, 0); });
     const TriangleMesh page = gridMesh(2, 2, [](double u, double v) { return Vec3(50, 100 * v, 100 * u); });
     book = sideBySide(book, page);
     const Form form = cutAlongLines(book, {{"Line", {{0, 30, 0}, {100, 30, 0}}, false}});
-    EXPECT_NE(form.problem.english().find("more than two faces"), std::string::npos);
-    EXPECT_TRUE(form.pieces.empty());
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 5U) << "two of either half, and the page";
+    ASSERT_FALSE(form.notes.empty());
+    EXPECT_NE(form.notes.front().english().find("more than two faces"), std::string::npos);
+}
+
+TEST(FormLines, CutFormsWithOneSide)
+{
+    const TriangleMesh band = gridMesh(60, 8, [](double u, double v) {
+        const double around = 2 * std::numbers::pi * u, across = 60 * (v - 0.5);
+        const double out = 150 + across * std::cos(around / 2);
+        return Vec3(out * std::cos(around), out * std::sin(around), across * std::sin(around / 2));
+    });
+    const FormLine line{"Line", {{0, 129, -21}, {0, 150, 0}, {0, 171, 21}}, false};
+    const Form form = cutAlongLines(band, {line});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 2U) << "it is open where its outside meets its inside, too";
+    EXPECT_NE(form.notes.front().english().find("one side only"), std::string::npos);
+    expectSound(form);
 }
 
 /// A gentle sheet of 500 x 500 mm in squares of 12.5 mm.
@@ -312,6 +329,63 @@ TEST(FormRings, ThatAreFlatBecomePatches)
     expectSound(form);
     const FormPattern made = formPattern(form, flatten(form, {}), {});
     EXPECT_EQ(made.seams.size(), 1U);
+}
+
+/// Flat already, around the z axis, between 60 and 160 mm; cut from there to there.
+void expectOpenRing(double angle, double from, double to)
+{
+    FormLine line{"Line", {}, false};
+    for (const double radius : {from, (from + to) / 2, to})
+        line.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    const Form form = cutAlongLines(ringMesh(60, 160, 0, 64, 8), {line});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 1U);
+    expectSound(form);
+    EXPECT_EQ(formPattern(form, flatten(form, {}), {}).seams.size(), 1U);
+}
+
+TEST(FormRings, ThatAreFlatMayBeCutAnywhere)
+{
+    for (int k = 0; k < 32; ++k)
+        for (const double beyond : {0.0, 5.0, -1.0}) {
+            const double angle = 2 * std::numbers::pi * k / 32 + 0.001 * (k % 3);
+            SCOPED_TRACE(std::to_string(angle) + " by " + std::to_string(beyond));
+            expectOpenRing(angle, 60 - beyond, 160 + beyond);
+        }
+}
+
+TEST(FormRings, MayBeCutTwice)
+{
+    FormLine left{"Left", {{-60, 0, 0}, {-160, 0, 0}}, false}, right{"Right", {{60, 0, 0}, {160, 0, 0}}, false};
+    const Form form = cutAlongLines(ringMesh(60, 160, 0, 64, 8), {left, right});
+    ASSERT_EQ(form.pieces.size(), 2U);
+    expectSound(form);
+}
+
+TEST(FormLines, ThatComeBackToWhereTheyBeginAreClosed)
+{
+    for (const double missing : {0.0, 0.02, 0.08}) {
+        FormLine round{"Round", {}, false};
+        for (int k = 0; k <= 24; ++k) {
+            const double angle = (2 * std::numbers::pi - missing) * k / 24;
+            round.points.emplace_back(110 * std::cos(angle), 110 * std::sin(angle), 0);
+        }
+        const FormLine across{"Across", {{-60, 0, 0}, {-160, 0, 0}}, false};
+        const Form form = cutAlongLines(ringMesh(60, 160, 0, 64, 8), {across, round});
+        ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+        EXPECT_EQ(form.pieces.size(), 2U);
+        EXPECT_TRUE(form.notes.empty()) << form.notes.front().english();
+        expectSound(form);
+    }
+}
+
+TEST(FormLines, MaySlitAFlatSheet)
+{
+    const TriangleMesh sheet = gridMesh(20, 20, [](double u, double v) { return Vec3(400 * u, 300 * v, 0); });
+    const Form form = cutAlongLines(sheet, {{"Slit", {{160, 150, 0}, {240, 150, 0}}, false}});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 1U);
+    expectSound(form);
 }
 
 TEST(FormTwins, AreWhereTheFormIsSymmetric)

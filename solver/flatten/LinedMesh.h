@@ -1,0 +1,64 @@
+// Triangles of a form as CGAL has them, some of their edges along lines. Private to the library.
+#pragma once
+
+#include "FormLines.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <utility>
+#include <vector>
+
+namespace bolster {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = CgalMesh::Vertex_index;
+using FormEdge = CgalMesh::Edge_index;
+using Face = CgalMesh::Face_index;
+
+inline Kernel::Point_3 toCgal(const Vec3& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+inline Vec3 fromCgal(const Kernel::Point_3& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+struct LinedMesh {
+    CgalMesh mesh;
+    CgalMesh::Property_map<Face, int> part;
+    CgalMesh::Property_map<FormEdge, bool> cut;
+
+    /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point.
+    bool build(const TriangleSoup& soup, std::vector<int> chosen);
+    /// In place of the triangles that it was made of.
+    void putBack(TriangleSoup& soup) const;
+
+    /// What cutting has left of triangles goes: points that are nearly one, and triangles that are nearly an edge.
+    void tidy();
+    /// What hangs over where a line has met another one.
+    void pruneSpurs();
+    /// Where lines end inside.
+    std::vector<Vertex> looseEnds() const;
+
+private:
+    int pointOf(Vertex v) const { return m_point[v.idx()]; }
+    bool isShared(Vertex v) const { return v.idx() < m_shared.size() && m_shared[v.idx()]; }
+    double lengthOf(FormEdge e) const;
+    double heightOf(Vertex a, Vertex b, Vertex c) const;
+    bool isHeld(FormEdge e) const;
+    bool isOnLine(Vertex v) const;
+    bool canCollapse(FormEdge e) const;
+    std::vector<FormEdge> cutsAt(Vertex v) const;
+    bool joinNearPoints();
+    bool flattenCaps();
+
+    std::vector<int> m_triangles; // of the soup
+    std::vector<int> m_point;     // of each vertex that it had from the beginning
+    std::vector<bool> m_shared;   // by triangles that are not chosen, of the same
+};
+
+} // namespace bolster

@@ -1,0 +1,169 @@
+#include "WeldedForm.h"
+
+#include "HalfEdges.h"
+#include "UnionFind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace bolster {
+
+namespace {
+
+constexpr double parted = 0.01; // mm: sheets that touch would count as going through each other
+
+std::vector<int> partOfTriangles(const TriangleMesh& mesh)
+{
+    std::vector<int> part(mesh.triangles.size(), 0);
+    for (std::size_t k = 0; k < mesh.parts.size(); ++k)
+        for (std::uint32_t t = 0; t < mesh.parts[k].triangleCount; ++t)
+            part[mesh.parts[k].firstTriangle + t] = static_cast<int>(k);
+    return part;
+}
+
+/// How many faces of each sheet are turned round, so that neighbours agree; more where a sheet has one side only.
+class Turning {
+public:
+    Turning(WeldedForm& form, const std::vector<HalfEdge>& halves)
+        : m_form(form)
+        , m_neighbours(form.triangles.size())
+        , m_turn(form.triangles.size(), unknown)
+    {
+        eachEdge(halves, [&](const HalfEdge* first, const HalfEdge* last) {
+            if (last - first > 2)
+                ++crowdedEdges;
+            if (last - first != 2)
+                return;
+            const bool differs = first[0].forward == first[1].forward;
+            m_neighbours[first[0].triangle].emplace_back(first[1].triangle, differs);
+            m_neighbours[first[1].triangle].emplace_back(first[0].triangle, differs);
+        });
+        for (std::size_t start = 0; start < m_turn.size(); ++start)
+            if (m_turn[start] == unknown)
+                turnSheetOf(start);
+    }
+
+    int turned = 0, crowdedEdges = 0;
+    bool oneSided = false;
+
+private:
+    void turnSheetOf(std::size_t start)
+    {
+        std::vector<std::size_t> sheet{start};
+        m_turn[start] = 0;
+        for (std::size_t k = 0; k < sheet.size(); ++k)
+            for (const auto& [other, differs] : m_neighbours[sheet[k]])
+                if (const auto fits = static_cast<signed char>(m_turn[sheet[k]] ^ static_cast<int>(differs));
+                    m_turn[other] == unknown) {
+                    m_turn[other] = fits;
+                    sheet.push_back(other);
+                } else {
+                    oneSided = oneSided || m_turn[other] != fits;
+                }
+        const auto wrong = std::ranges::count_if(sheet, [&](std::size_t t) { return m_turn[t] == 1; });
+        const signed char less = 2 * wrong > std::ssize(sheet) ? 0 : 1;
+        for (const std::size_t t : sheet)
+            if (m_turn[t] == less) {
+                std::swap(m_form.triangles[t][1], m_form.triangles[t][2]);
+                ++turned;
+            }
+    }
+
+    static constexpr signed char unknown = -1;
+    WeldedForm& m_form;
+    std::vector<std::vector<std::pair<std::size_t, bool>>> m_neighbours; // and whether one must be turned
+    std::vector<signed char> m_turn;
+};
+
+} // namespace
+
+WeldedForm weld(const TriangleMesh& mesh)
+{
+    WeldedForm welded;
+    std::map<std::array<long long, 3>, int> places; // in 0.1 micrometres: texts have rounded them alike
+    std::vector<int> place(mesh.points.size());
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        std::array<long long, 3> key{};
+        for (int axis = 0; axis < 3; ++axis)
+            key[axis] = std::llround(mesh.points[i][axis] * 1e4);
+        const auto [found, isNew] = places.emplace(key, static_cast<int>(welded.points.size()));
+        if (isNew)
+            welded.points.push_back(mesh.points[i]);
+        place[i] = found->second;
+    }
+    const std::vector<int> part = partOfTriangles(mesh);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        WeldedForm::Corners corners{};
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = place[mesh.triangles[t][k]];
+        const Vec3 &a = welded.points[corners[0]], &b = welded.points[corners[1]], &c = welded.points[corners[2]];
+        if (!((b - a).cross(c - a).norm() > 1e-9 * (b - a).squaredNorm()))
+            continue;
+        welded.triangles.push_back(corners);
+        welded.part.push_back(part[t]);
+    }
+    for (const TriangleMesh::Part& there : mesh.parts)
+        welded.names.push_back(there.name);
+    if (welded.names.empty())
+        welded.names.emplace_back();
+    return welded;
+}
+
+void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_token& stop)
+{
+    const std::vector<HalfEdge> halves = halfEdges(form.triangles, stop);
+    if (stop.stop_requested())
+        return;
+    const Turning turning(form, halves);
+    if (turning.oneSided)
+        notes.push_back({QT_TRANSLATE_NOOP("Message", "The form has one side only, as a twisted band: it is "
+                                                      "left open where its outside meets its inside"),
+                         {}});
+    if (turning.turned > 0)
+        notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"),
+                         {std::to_string(turning.turned)}});
+    if (turning.crowdedEdges > 0)
+        notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 edges of the form belong to more than two faces: "
+                                                      "they are borders, nothing is sewn there"),
+                         {std::to_string(turning.crowdedEdges)}});
+}
+
+void partSheets(WeldedForm& form, const std::stop_token& stop)
+{
+    const std::vector<HalfEdge> halves = halfEdges(form.triangles, stop);
+    if (stop.stop_requested())
+        return;
+    UnionFind corners(static_cast<int>(3 * form.triangles.size()));
+    const auto cornerAt = [&](const HalfEdge& half, int point) {
+        const auto& there = form.triangles[half.triangle];
+        return static_cast<int>(3 * half.triangle + (std::ranges::find(there, point) - there.begin()));
+    };
+    eachEdge(halves, [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first == 2 && first[0].forward != first[1].forward)
+            for (const int point : {first->low, first->high})
+                corners.join(cornerAt(first[0], point), cornerAt(first[1], point));
+    });
+    // The first of those that meet in a point keeps it; each of the others goes a little into its own sheet.
+    const WeldedForm before = form;
+    std::vector<int> keeps(form.points.size(), -1);
+    std::map<int, int> points; // of those that part, by their root
+    for (std::size_t t = 0; t < form.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int point = before.triangles[t][k], root = corners.root(static_cast<int>(3 * t + k));
+            if (keeps[point] < 0)
+                keeps[point] = root;
+            if (keeps[point] == root)
+                continue;
+            const auto [part, isNew] = points.emplace(root, static_cast<int>(form.points.size()));
+            if (isNew) {
+                Vec3 way = -before.points[point];
+                for (const int corner : before.triangles[t])
+                    way += before.points[corner] / 3;
+                form.points.push_back(before.points[point] + std::min(parted, way.norm()) * way.normalized());
+            }
+            form.triangles[t][k] = part->second;
+        }
+}
+
+} // namespace bolster

@@ -1,0 +1,33 @@
+// A form's triangles with each place once. Private to the library.
+#pragma once
+
+#include "Message.h"
+#include "TriangleMesh.h"
+
+#include <array>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace bolster {
+
+/// Each place once; triangles with an area, and the part that each belongs to.
+struct WeldedForm {
+    using Corners = std::array<int, 3>;
+
+    std::vector<Vec3> points;
+    std::vector<Corners> triangles;
+    std::vector<int> part;
+    std::vector<std::string> names;
+};
+
+WeldedForm weld(const TriangleMesh& mesh);
+
+/// Neighbours run along a common edge in opposite directions afterwards; each sheet as most of it does already.
+void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_token& stop);
+
+/// Sheets that meet in a point, in an edge of three faces or with their wrong sides part there, so that each is a
+/// surface that lines can be cut into.
+void partSheets(WeldedForm& form, const std::stop_token& stop);
+
+} // namespace bolster
