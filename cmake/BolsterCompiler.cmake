@@ -47,6 +47,7 @@ endif()
 macro(bolster_compiled_soon)
     if(BOLSTER_SANITIZE)
         add_compile_options(-O0)
+        unset(BOLSTER_PRECOMPILED) # those of the folders above are optimised
     endif()
 endmacro()
 
