@@ -9603,6 +9603,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>Ein Häkchen bei „wo sie sich stärker biegt als“ schneidet sie auch dort.</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>an den Kanten seiner &amp;CAD-Flächen</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>Jede Fläche so, wie das CAD-Programm sie hat, auch wo zwei glatt ineinander übergehen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9603,6 +9603,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>Una marca en «donde se dobla más de» la corta también allí.</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>en las aristas de sus caras &amp;CAD</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>Cada cara como la tiene el programa de CAD, también donde dos continúan suavemente una en otra</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

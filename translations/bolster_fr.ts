@@ -9603,6 +9603,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>Une coche à «&#x202f;là où elle se plie de plus de&#x202f;» la coupe là aussi.</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>aux arêtes de ses faces &amp;CAO</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>Chaque face telle que le programme de CAO la connaît, même là où deux se prolongent sans pli</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9603,6 +9603,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>Un segno a «dove si piega più di» la taglia anche lì.</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>lungo i bordi delle sue facce &amp;CAD</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>Ogni faccia come la conosce il programma CAD, anche dove due proseguono dolcemente l'una nell'altra</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

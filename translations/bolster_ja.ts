@@ -9579,6 +9579,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>「曲がりが次を超える所」にチェックを入れると、そこでも切られます。</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>CAD 面の縁で(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>CAD プログラムにあるとおりの面ごとに。滑らかにつながる面どうしも分けます</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9627,6 +9627,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>Zaznaczenie „tam, gdzie zagina się o więcej niż” tnie ją także tam.</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>na krawędziach jego ścian &amp;CAD</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>Każda ściana tak, jak zna ją program CAD, także tam, gdzie dwie gładko przechodzą w siebie</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9579,6 +9579,14 @@
         <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
         <translation>勾选“在弯折大于此角处”，那里也会剪开。</translation>
     </message>
+    <message>
+        <source>at the edges of its &amp;CAD faces</source>
+        <translation>在其 CAD 面的边上(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
+        <translation>按 CAD 程序中的每个面切开，平滑相接的面也分开</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -6,12 +6,14 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
 
-/// In mm and upright, as the import of frames proposes it.
-std::shared_ptr<const TriangleMesh> asFurniture(const ImportedMesh& read, const QString& file)
+/// Upright and in mm, as the import of frames proposes it.
+Placement proposedPlacement(const ImportedMesh& read, const QString& file)
 {
     const QString ending = QFileInfo(file).suffix();
     const Box3 box = read.mesh->boundingBox();
@@ -20,15 +22,50 @@ std::shared_ptr<const TriangleMesh> asFurniture(const ImportedMesh& read, const 
     placement.scale =
         unit == FileUnit::Custom ? read.said.millimetresPerUnit.value_or(guessFactor(box)) : millimetresPer(unit);
     placement.rotation = rotationFor(read.said.up.value_or(guessUpAxis(ending)));
-    auto placed = std::make_shared<TriangleMesh>(*read.mesh);
-    for (Vec3& point : placed->points)
-        point = placement.placed(point);
-    return placed;
+    return placement;
 }
 
 } // namespace
 
-FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::stop_token& stop)
+FormPatternJob::FileState FormPatternJob::stateOf(const QString& path)
+{
+    return {path, QFileInfo(path).lastModified()};
+}
+
+Message FormPatternJob::read(const QString& path, const std::stop_token& stop)
+{
+    const FileState state = stateOf(path);
+    if (m_form.mesh && m_form.state == state)
+        return {};
+    m_form = {};
+    const ImportedMesh read = importMesh(path, {stop, {}, {}});
+    if (!read.mesh)
+        return read.problem;
+    const Placement placement = proposedPlacement(read, path);
+    auto placed = std::make_shared<TriangleMesh>(*read.mesh);
+    for (Vec3& point : placed->points)
+        point = placement.placed(point);
+    m_form = {state, std::move(placed), placement};
+    return {};
+}
+
+void FormPatternJob::addEdges(FormCuts& cuts, const FormWanted& wanted, const std::stop_token& stop)
+{
+    const FileState state = stateOf(wanted.cadFile);
+    if (m_edgesState != state) {
+        m_edges = importFrameEdges(wanted.cadFile, {stop, {}, {}}).edges;
+        m_edgesState = stop.stop_requested() ? FileState{} : state;
+    }
+    for (const FrameEdge& edge : m_edges) {
+        if (wanted.frame && std::ranges::count(wanted.frame->hiddenParts, edge.part) > 0)
+            continue;
+        std::vector<Vec3>& row = cuts.edges.emplace_back(edge.points);
+        for (Vec3& point : row)
+            point = wanted.frame ? wanted.frame->placed(point) : m_form.placement.placed(point);
+    }
+}
+
+FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& stop)
 {
     FormMade made;
     made.number = wanted.number;
@@ -36,15 +73,17 @@ FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::st
     try {
         std::shared_ptr<const TriangleMesh> mesh = wanted.mesh;
         if (!mesh) {
-            const ImportedMesh read = importMesh(wanted.file, {stop, {}, {}});
-            made.problem = read.problem;
-            mesh = read.mesh ? asFurniture(read, wanted.file) : nullptr;
+            made.problem = read(wanted.file, stop);
+            mesh = m_form.mesh;
             if (mesh)
                 made.size = mesh->boundingBox().sizes();
         }
         if (!mesh)
             return made;
-        made.form = cutForm(*mesh, wanted.cuts, stop, wanted.draft ? &draft : nullptr);
+        FormCuts cuts = wanted.cuts;
+        if (!wanted.cadFile.isEmpty())
+            addEdges(cuts, wanted, stop);
+        made.form = cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
         made.problem = made.form.problem;
         if (!made.problem.empty() || stop.stop_requested())
             return made;

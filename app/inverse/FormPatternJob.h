@@ -3,10 +3,14 @@
 
 #include "Flatten.h"
 #include "FormPattern.h"
+#include "Frame.h"
+#include "FrameEdges.h"
 
+#include <QDateTime>
 #include <QString>
 
 #include <memory>
+#include <optional>
 
 namespace bolster {
 
@@ -14,6 +18,8 @@ struct FormWanted {
     int number = 0;
     std::shared_ptr<const TriangleMesh> mesh; ///< mm; null: that of the file
     QString file;                             ///< its unit and axes are guessed where it does not say them
+    std::optional<Frame> frame = {};          ///< the mesh is of, as it stands
+    QString cadFile = {};                     ///< at the edges of whose faces the form is cut, too; "": of none
     FormCuts cuts;
     FormPatternOrder order;
     bool draft = false; ///< something moves: nearly right, soon
@@ -29,7 +35,32 @@ struct FormMade {
     FormPattern pattern;
 };
 
-/// `draft`: always the same one; that of the answer is that of the wish.
-FormMade patternOfForm(const FormWanted& wanted, FormDraft& draft, const std::stop_token& stop);
+/// Knows what was read and drafted last, so that it need not be read and cut again while something moves.
+class FormPatternJob {
+public:
+    FormMade make(const FormWanted& wanted, const std::stop_token& stop);
+
+private:
+    /// As it was when it was read.
+    struct FileState {
+        QString path;
+        QDateTime changed;
+        friend bool operator==(const FileState&, const FileState&) = default;
+    };
+    struct FormOfFile {
+        FileState state;
+        std::shared_ptr<const TriangleMesh> mesh; ///< mm
+        Placement placement;
+    };
+
+    static FileState stateOf(const QString& path);
+    Message read(const QString& path, const std::stop_token& stop);
+    void addEdges(FormCuts& cuts, const FormWanted& wanted, const std::stop_token& stop);
+
+    FormOfFile m_form;
+    FileState m_edgesState;
+    std::vector<FrameEdge> m_edges; // file units
+    std::shared_ptr<FormDraft> m_draft = newFormDraft();
+};
 
 } // namespace bolster

@@ -1,10 +1,12 @@
 #include "FormPatternWindow.h"
 
 #include "Ask.h"
+#include "AssemblyImport.h"
 #include "CopyPaste.h"
 #include "DesignJson.h"
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "FileFormats.h"
 #include "FlatPiecesView.h"
 #include "FramePieces.h"
 #include "Jobs.h"
@@ -72,8 +74,8 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     , m_session(session)
     , m_document(session.document())
     , m_solver(solver)
-    , m_job([draft = newFormDraft()](const FormWanted& wanted,
-                                     const std::stop_token& stop) { return patternOfForm(wanted, *draft, stop); },
+    , m_job([job = std::make_shared<FormPatternJob>()](
+                const FormWanted& wanted, const std::stop_token& stop) { return job->make(wanted, stop); },
             [this](FormMade made) { take(std::move(made)); })
 {
     setWindowTitle(tr("Pattern of a form"));
@@ -167,11 +169,14 @@ QWidget* FormPatternWindow::buildWishes()
     connect(m_grain, &QComboBox::activated, this, [this] { ask(false); });
     m_groups = new QCheckBox(tr("where its &parts meet"), wishes);
     m_groups->setChecked(true);
+    m_faces = new QCheckBox(tr("at the edges of its &CAD faces"), wishes);
+    m_faces->setToolTip(tr("Each face as the CAD program has it, also where two go on smoothly in each other"));
     m_bends = new QCheckBox(tr("where it &bends by more than"), wishes);
     m_angle = new NumberBox({tr("\u00b0"), 1, 1, 179, 5}, wishes);
     m_angle->setAccessibleName(tr("Angle"));
     m_angle->display(35);
     connect(m_groups, &QCheckBox::toggled, this, [this] { ask(false); });
+    connect(m_faces, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_bends, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_angle, &NumberBox::entered, this, [this] {
         if (m_bends->isChecked())
@@ -197,6 +202,7 @@ QWidget* FormPatternWindow::buildWishes()
     rows->addLayout(form);
     rows->addWidget(new QLabel(tr("It is cut"), wishes));
     rows->addWidget(m_groups);
+    rows->addWidget(m_faces);
     rows->addLayout(bend);
     rows->addWidget(new QLabel(tr("and along the ticked lines:"), wishes));
     rows->addWidget(m_lines, 1);
@@ -286,6 +292,7 @@ void FormPatternWindow::chooseFile()
 void FormPatternWindow::formChosen()
 {
     m_mesh = mesh();
+    m_faces->setVisible(!cadFile().isEmpty());
     ask(false);
 }
 
@@ -296,10 +303,25 @@ std::shared_ptr<const TriangleMesh> FormPatternWindow::mesh() const
         return meshOf(*m_solver.surface(), m_document.design());
     if (chosen.toString() == "file")
         return nullptr;
-    const auto id = static_cast<ElementId>(chosen.toUInt());
-    const auto* frame = m_document.design().find<Frame>(id);
-    const auto file = m_session.files().meshes.find(id);
-    return frame && file != m_session.files().meshes.end() ? placedMesh(*frame, file->second) : nullptr;
+    const auto file = m_session.files().meshes.find(static_cast<ElementId>(chosen.toUInt()));
+    return frame() && file != m_session.files().meshes.end() ? placedMesh(*frame(), file->second) : nullptr;
+}
+
+/// That is chosen as the form; else null.
+const Frame* FormPatternWindow::frame() const
+{
+    return m_document.design().find<Frame>(static_cast<ElementId>(m_form->currentData().toUInt()));
+}
+
+/// Of which the form is; "" when that is no CAD file, or not there any more.
+QString FormPatternWindow::cadFile() const
+{
+    QString file;
+    if (m_form->currentData().toString() == "file")
+        file = m_file;
+    else if (frame())
+        file = m_session.findFile(QString::fromStdString(frame()->file));
+    return isCadEnding(endingOf(file)) && QFileInfo::exists(file) ? file : QString();
 }
 
 Fabric FormPatternWindow::fabric() const
@@ -348,6 +370,10 @@ void FormPatternWindow::ask(bool draft)
     wanted.mesh = m_mesh;
     wanted.file = m_file;
     wanted.draft = draft;
+    if (frame())
+        wanted.frame = *frame();
+    if (m_faces->isChecked())
+        wanted.cadFile = cadFile();
     wanted.cuts.groups = m_groups->isChecked();
     if (m_bends->isChecked())
         wanted.cuts.angle = m_angle->value();

@@ -60,6 +60,8 @@ private:
     std::vector<FormLine> chosenLines() const;
     Fabric fabric() const;
     FormGrain grain() const;
+    const Frame* frame() const;
+    QString cadFile() const;
     std::shared_ptr<const TriangleMesh> mesh() const;
 
     DesignSession& m_session;
@@ -67,7 +69,7 @@ private:
     SolverLink& m_solver;
     QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
     QString m_file;
-    QCheckBox *m_groups = nullptr, *m_bends = nullptr;
+    QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr;
     NumberBox* m_angle = nullptr;
     QTreeWidget* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;

@@ -71,11 +71,16 @@ private:
 
     void cutLines()
     {
+        if (m_stop.stop_requested())
+            return;
+        if (!m_cuts.lines.empty())
+            partSheets(m_welded, m_stop);
+        if (!m_cuts.edges.empty())
+            m_cut = edgesAlong(m_welded, m_cuts.edges);
         if (m_cuts.lines.empty() || m_stop.stop_requested())
             return;
-        partSheets(m_welded, m_stop);
         LinedTriangles lined =
-            cutAlong(m_welded.points, m_welded.triangles, m_welded.part, m_cuts.lines, m_stop, m_draft);
+            cutAlong({m_welded.points, m_welded.triangles, m_welded.part, m_cut}, m_cuts.lines, m_stop, m_draft);
         if (!lined.problem.empty()) {
             m_form.problem = lined.problem;
             return;

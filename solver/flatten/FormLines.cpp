@@ -98,9 +98,8 @@ std::vector<int> trianglesNear(const TriangleSoup& soup, const CgalMesh& strip)
 
 class LineCutter {
 public:
-    LineCutter(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-               const std::vector<int>& part, double apart)
-        : m_soup{points, triangles, part, {}}
+    LineCutter(const TriangleSoup& form, double apart)
+        : m_soup(form)
         , m_spacing(apart)
         , m_whole(m_form.build(m_soup, {}))
     {
@@ -457,7 +456,7 @@ std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std:
 {
     const TriangleSoup& uncut = cutter.soup();
     const bool sameForm = draft.uncut.points == uncut.points && draft.uncut.triangles == uncut.triangles &&
-                          draft.uncut.part == uncut.part;
+                          draft.uncut.part == uncut.part && draft.uncut.cuts == uncut.cuts;
     const bool useful =
         sameForm && !draft.cutLines.empty() &&
         std::ranges::all_of(draft.cutLines, [&](const FormLine& line) { return isAmong(line, lines); });
@@ -486,15 +485,14 @@ std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std:
 
 } // namespace
 
-LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                        const std::vector<int>& part, const std::vector<FormLine>& lines,
-                        const std::stop_token& stop, FormDraft* draft)
+LinedTriangles cutAlong(const TriangleSoup& form, const std::vector<FormLine>& lines, const std::stop_token& stop,
+                        FormDraft* draft)
 {
     LinedTriangles failed;
     failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than two "
                                                    "faces meet, or sheets that touch in a point"),
                       {}};
-    LineCutter cutter(points, triangles, part, draft ? draftSpacing : spacing);
+    LineCutter cutter(form, draft ? draftSpacing : spacing);
     if (!cutter.whole())
         return failed;
     try {

@@ -29,11 +29,11 @@ struct FormDraft {
     std::vector<FormLine> lastLines; ///< of the draft before
 };
 
-/// `triangles` are oriented alike, and each place is one point. A line that ends a little before a border or
-/// another line goes on to there. Source: CGAL's corefinement of the form with a ribbon across it along each line.
-/// With a draft lines follow the form less closely, and those that did not move are as they were cut before.
-LinedTriangles cutAlong(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                        const std::vector<int>& part, const std::vector<FormLine>& lines,
-                        const std::stop_token& stop, FormDraft* draft = nullptr);
+/// The form's triangles are oriented alike, and each place is one point; what is cut already stays so. A line that
+/// ends a little before a border or another line goes on to there. Source: CGAL's corefinement of the form with a
+/// ribbon across it along each line. With a draft lines follow the form less closely, and those that did not move
+/// are as they were cut before.
+LinedTriangles cutAlong(const TriangleSoup& form, const std::vector<FormLine>& lines, const std::stop_token& stop,
+                        FormDraft* draft = nullptr);
 
 } // namespace bolster

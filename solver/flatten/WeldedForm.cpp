@@ -3,6 +3,11 @@
 #include "HalfEdges.h"
 #include "UnionFind.h"
 
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,6 +16,7 @@ namespace bolster {
 
 namespace {
 
+constexpr double onRow = 0.05;  // mm: of CAD curves samples lie within 0.02
 constexpr double parted = 0.01; // mm: sheets that touch would count as going through each other
 
 std::vector<int> partOfTriangles(const TriangleMesh& mesh)
@@ -74,6 +80,58 @@ private:
     WeldedForm& m_form;
     std::vector<std::vector<std::pair<std::size_t, bool>>> m_neighbours; // and whether one must be turned
     std::vector<signed char> m_turn;
+};
+
+/// Which places of rows of points a place lies at.
+class RowPlaces {
+    using Kernel = CGAL::Simple_cartesian<double>;
+    using Segments = std::vector<Kernel::Segment_3>;
+    using Tree =
+        CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_segment_primitive<Kernel, Segments::iterator>>>;
+
+public:
+    struct Place {
+        std::size_t row = 0;
+        double along = 0; ///< mm
+    };
+
+    explicit RowPlaces(const std::vector<std::vector<Vec3>>& rows)
+    {
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            double along = 0;
+            for (std::size_t k = 1; k < rows[r].size(); ++k) {
+                const Vec3 &a = rows[r][k - 1], &b = rows[r][k];
+                m_segments.emplace_back(Kernel::Point_3(a.x(), a.y(), a.z()), Kernel::Point_3(b.x(), b.y(), b.z()));
+                m_begins.push_back({r, along});
+                along += (b - a).norm();
+            }
+        }
+        m_tree.rebuild(m_segments.begin(), m_segments.end());
+    }
+
+    std::vector<Place> of(const Vec3& point) const
+    {
+        std::vector<Segments::iterator> near;
+        m_tree.all_intersected_primitives(CGAL::Bbox_3(point.x() - onRow, point.y() - onRow, point.z() - onRow,
+                                                       point.x() + onRow, point.y() + onRow, point.z() + onRow),
+                                          std::back_inserter(near));
+        std::vector<Place> places;
+        for (const Segments::iterator& segment : near) {
+            const Vec3 from(segment->source().x(), segment->source().y(), segment->source().z());
+            const Vec3 to(segment->target().x(), segment->target().y(), segment->target().z());
+            const double length = (to - from).norm();
+            const double along = length > 0 ? std::clamp((point - from).dot(to - from) / length, 0.0, length) : 0;
+            const Place& begin = m_begins[static_cast<std::size_t>(&*segment - m_segments.data())];
+            if ((from + along / std::max(length, 1e-9) * (to - from) - point).norm() <= onRow)
+                places.push_back({begin.row, begin.along + along});
+        }
+        return places;
+    }
+
+private:
+    Segments m_segments;
+    std::vector<Place> m_begins; // of each segment
+    Tree m_tree;
 };
 
 } // namespace
@@ -164,6 +222,27 @@ void partSheets(WeldedForm& form, const std::stop_token& stop)
             }
             form.triangles[t][k] = part->second;
         }
+}
+
+std::set<std::pair<int, int>> edgesAlong(const WeldedForm& form, const std::vector<std::vector<Vec3>>& rows)
+{
+    const RowPlaces places(rows);
+    std::vector<std::vector<std::pair<double, int>>> along(rows.size()); // points of each row
+    for (std::size_t p = 0; p < form.points.size(); ++p)
+        for (const RowPlaces::Place& place : places.of(form.points[p]))
+            along[place.row].emplace_back(place.along, static_cast<int>(p));
+    std::set<std::pair<int, int>> there, found;
+    for (const WeldedForm::Corners& corners : form.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            there.insert(std::minmax({corners[k], corners[(k + 1) % 3]}));
+    for (auto& row : along) {
+        std::ranges::sort(row);
+        for (std::size_t k = 1; k < row.size(); ++k)
+            if (const std::pair<int, int> edge = std::minmax({row[k - 1].second, row[k].second});
+                there.contains(edge))
+                found.insert(edge);
+    }
+    return found;
 }
 
 } // namespace bolster

@@ -5,8 +5,10 @@
 #include "TriangleMesh.h"
 
 #include <array>
+#include <set>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bolster {
@@ -29,5 +31,8 @@ void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_to
 /// Sheets that meet in a point, in an edge of three faces or with their wrong sides part there, so that each is a
 /// surface that lines can be cut into.
 void partSheets(WeldedForm& form, const std::stop_token& stop);
+
+/// Edges whose ends follow each other on one of these rows of points (mm), the lesser end first.
+std::set<std::pair<int, int>> edgesAlong(const WeldedForm& form, const std::vector<std::vector<Vec3>>& rows);
 
 } // namespace bolster

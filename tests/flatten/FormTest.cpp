@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bolster::test {
 namespace {
@@ -120,6 +121,25 @@ TEST(Form, OfNothingThereIsNothing)
     line.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     line.triangles = {{0, 1, 2}};
     EXPECT_FALSE(cutForm(line, {}).problem.empty());
+}
+
+/// As faces of CAD files that go on smoothly in each other.
+TEST(Form, FallsApartAlongEdgesThatDoNotBend)
+{
+    const TriangleMesh pipe = halfPipe(100, 200, 60, 24);
+    FormCuts cuts;
+    for (const double angle : {std::numbers::pi / 3, std::numbers::pi / 2}) // columns of the mesh
+        cuts.edges.push_back({{-100 * std::cos(angle), -100 * std::sin(angle), 0},
+                              {-100 * std::cos(angle), -100 * std::sin(angle), 200}});
+    EXPECT_EQ(cutForm(pipe, cuts).pieces.size(), 3U);
+    cuts.edges.push_back({{-100, 0, 50}, {100, 0, 50}}); // touches it at its border only
+    EXPECT_EQ(cutForm(pipe, cuts).pieces.size(), 3U);
+    FormLine across{"Across", {}, false};
+    for (int k = 0; k <= 60; ++k)
+        across.points.emplace_back(-100 * std::cos(std::numbers::pi * k / 60),
+                                   -100 * std::sin(std::numbers::pi * k / 60), 77);
+    cuts.lines = {across};
+    EXPECT_EQ(cutForm(pipe, cuts).pieces.size(), 6U);
 }
 
 TEST(Form, EdgesOfThreeFacesAreBorders)

@@ -1,6 +1,9 @@
+#include "AssemblyImport.h"
 #include "DesignJson.h"
 #include "DistinctFiles.h"
+#include "FileFormats.h"
 #include "FormPattern.h"
+#include "FrameEdges.h"
 #include "Interrupt.h"
 #include "LengthUnits.h"
 #include "MeshImport.h"
@@ -22,16 +25,18 @@ namespace bolster::cli {
 
 const char* const flattenHelp = R"(Usage: bolster flatten SURFACE --out DESIGN.json [options]
 
-Makes the pattern of a form: cuts a mesh (OBJ, PLY, STL, OFF) into pieces, lays each
-one flat with the least strain of the fabric, and writes a design of them. What two
-pieces have in common becomes a seam, what lies at the form's border is fixed.
+Makes the pattern of a form: cuts a mesh (OBJ, PLY, STL, OFF) or the faces of a CAD file
+(STEP, IGES) into pieces, lays each one flat with the least strain of the fabric, and
+writes a design of them. What two pieces have in common becomes a seam, what lies at the
+form's border is fixed.
 
 Options:
   --out FILE.json       the design; never replaced when it is there already
   --by groups           cuts where groups of the mesh meet (the usual way)
   --by angle:DEG        cuts where the mesh bends by more than DEG degrees
-  --by faces            cuts at the edges of CAD faces: where it bends by more than
-                        the triangles of one face do (21 degrees)
+  --by faces            cuts at the edges of the faces of a CAD file, also where these go
+                        on smoothly in each other; a mesh, which knows none, where it
+                        bends by more than the triangles of one face do (21 degrees)
   --along DESIGN        and along the fixation curves of this design
   --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
   --grain DIRECTION     of the grain line: up (the usual way), back or side on the form,
@@ -67,13 +72,34 @@ double numberIn(const std::string& text, const std::string& what, double least, 
     return value;
 }
 
-FormCuts cutsOf(const Arguments& arguments)
+Vec3 upright(Vec3 point, const Arguments& arguments)
+{
+    point *= saidUnit(arguments).value_or(1);
+    return saysUpIsY(arguments).value_or(false) ? Vec3(point.x(), -point.z(), point.y()) : point;
+}
+
+/// The edges of a CAD file's faces; where the mesh bends, of other files.
+FormCuts cutsByFaces(const QString& surface, const Arguments& arguments, const std::stop_token& stop)
+{
+    if (!isCadEnding(endingOf(surface)))
+        return {false, bendOfFaces};
+    FormCuts cuts;
+    cuts.groups = false;
+    for (const FrameEdge& edge : importFrameEdges(surface, {stop, {}, {}}).edges) {
+        std::vector<Vec3>& row = cuts.edges.emplace_back(edge.points);
+        for (Vec3& point : row)
+            point = upright(point, arguments);
+    }
+    return cuts;
+}
+
+FormCuts cutsOf(const QString& surface, const Arguments& arguments, const std::stop_token& stop)
 {
     const std::string word = arguments.path("--by").toStdString();
     if (word.empty() || word == "groups")
         return {};
     if (word == "faces")
-        return {false, bendOfFaces};
+        return cutsByFaces(surface, arguments, stop);
     if (word.starts_with("angle:"))
         return {false, numberIn(word.substr(6), "the angle of --by", 1, 179)};
     throw UsageError("--by is groups, faces or angle:DEG, not \"" + word + "\"");
@@ -118,13 +144,8 @@ FormGrain grainOf(const Arguments& arguments)
 
 TriangleMesh upright(TriangleMesh mesh, const Arguments& arguments)
 {
-    const double unit = saidUnit(arguments).value_or(1);
-    const bool upIsY = saysUpIsY(arguments).value_or(false);
-    for (Vec3& point : mesh.points) {
-        point *= unit;
-        if (upIsY)
-            point = {point.x(), -point.z(), point.y()};
-    }
+    for (Vec3& point : mesh.points)
+        point = upright(point, arguments);
     return mesh;
 }
 
@@ -176,7 +197,6 @@ int flattenForm(std::span<const std::string> words)
     expectDistinct({surface, arguments.path("--along")}, {out, report});
     if (!canBeWritten({out, report}))
         return otherFailure;
-    FormCuts cuts = cutsOf(arguments);
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);
     order.grain = grainOf(arguments);
@@ -186,6 +206,7 @@ int flattenForm(std::span<const std::string> words)
         return otherFailure;
     }
     Interrupt interrupt;
+    FormCuts cuts = cutsOf(surface, arguments, interrupt.token());
     if (arguments.has("--along")) {
         const OpenedDesign lines = openedShown(arguments.path("--along"));
         if (!lines.readable)
