@@ -29,8 +29,8 @@ struct FormCuts {
     bool groups = true;          ///< where two parts of the mesh meet
     std::optional<double> angle; ///< and where the form bends by more than that, degrees
     std::vector<FormLine> lines = {};
-    std::vector<std::vector<Vec3>> edges =
-        {}; ///< and along edges of the mesh on these rows of points: of CAD faces
+    /// And along edges of the mesh on these rows of points, mm: of CAD faces.
+    std::vector<std::vector<Vec3>> edges = {};
 };
 
 /// The other side of an edge that is cut; none at the form's border.

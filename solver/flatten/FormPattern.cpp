@@ -135,21 +135,18 @@ private:
         const FormPiece& there = piece(p);
         const std::size_t count = there.border.size();
         std::vector<double> distances(count, std::numeric_limits<double>::infinity());
-        for (std::size_t tip = 0; tip < count; ++tip) {
-            if (!isCutEdge(p, tip) || there.mates[tip].edge != static_cast<int>(there.before(tip)))
-                continue; // what comes before the end of a cut is sewn to what comes after it
-            double along = distances[tip] = 0;
-            for (std::size_t k = tip, left = count; left > 1 && isCutEdge(p, k); --left, k = there.after(k)) {
-                along += (flatPoint(p, there.after(k)) - flatPoint(p, k)).norm();
-                distances[there.after(k)] = std::min(distances[there.after(k)], along);
-            }
-            along = 0;
-            for (std::size_t k = there.before(tip), left = count; left > 1 && isCutEdge(p, k);
-                 --left, k = there.before(k)) {
-                along += (flatPoint(p, there.after(k)) - flatPoint(p, k)).norm();
-                distances[k] = std::min(distances[k], along);
-            }
-        }
+        for (std::size_t tip = 0; tip < count; ++tip)
+            if (isCutEdge(p, tip) && there.mates[tip].edge == static_cast<int>(there.before(tip)))
+                distances[tip] = 0; // what comes before the end of a cut is sewn to what comes after it
+        const auto goAlong = [&](std::size_t edge, std::size_t from, std::size_t to) {
+            if (isCutEdge(p, edge))
+                distances[to] =
+                    std::min(distances[to], distances[from] + (flatPoint(p, to) - flatPoint(p, from)).norm());
+        };
+        for (std::size_t k = 0; k < 2 * count; ++k) // twice around: a cut may go over the beginning
+            goAlong(k % count, k % count, there.after(k % count));
+        for (std::size_t k = 2 * count; k-- > 0;)
+            goAlong(k % count, there.after(k % count), k % count);
         return distances;
     }
 

@@ -213,7 +213,7 @@ TEST_F(HostileFiles, ManySmallEditsOfAHugeElementAreNotReplayedForEver)
         patch.name = std::to_string(i);
         return before.with({{}, {{ElementId{2}, nullptr, makeElement(patch)}}});
     };
-    constexpr int edits = 600; // more than what is looked at
+    constexpr int edits = 1'000; // about twice what is looked at
     DesignHash hash;
     std::vector<Hash> hashes;
     for (int i = 0; i < edits; ++i)
@@ -234,7 +234,7 @@ TEST_F(HostileFiles, ManySmallEditsOfAHugeElementAreNotReplayedForEver)
     expectCheapToReadAndSalvage(huge);
     ProgramRun run = callCommandLine({"verify", huge});
     EXPECT_EQ(run.exitCode, 3) << run.err;
-    EXPECT_TRUE(run.out.starts_with("sound as far as was looked: 600 edits")) << run.out;
+    EXPECT_TRUE(run.out.starts_with("sound as far as was looked: 1000 edits")) << run.out;
     EXPECT_EQ(callCommandLine({"check", huge}).exitCode, 0) << "and it can be opened";
 
     EXPECT_EQ(callCommandLine({"verify", write("few.bolster", 40, false)}).exitCode, 0);
