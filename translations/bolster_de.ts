@@ -4613,10 +4613,6 @@
         <translation>%1 hat in dieser Farbvariante schon einen Stoff; einen der beiden entfernen</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>wird stattdessen auf die übliche Art gezeigt</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>was sie über fehlende Schnittteile und Stoffe sagt, wird ausgelassen</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>Teile von %1, die kürzer als eine Netzkante sind, sind mit dem Schnitt weggefallen.</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>stattdessen gilt der übliche Wert</translation>
     </message>
 </context>
 <context>
@@ -9436,8 +9436,8 @@
         <translation>Eine Datei …</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Netze und Scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Alle Dateien (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>Netze und Scans (%1);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -9507,8 +9507,8 @@
         <translation>Die Form, die bezogen werden soll</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>Netze und CAD-Dateien (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;Alle Dateien (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>Netze und CAD-Dateien (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Fabric</source>

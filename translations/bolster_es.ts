@@ -4613,10 +4613,6 @@
         <translation>%1 ya tiene una tela en esta variante de color; elimine una de las dos</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>en su lugar se muestra de la forma habitual</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>se omite lo que dice de piezas y telas que faltan</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>Las partes de %1 más cortas que una arista de la malla han desaparecido con el corte.</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>en su lugar se usa el valor habitual</translation>
     </message>
 </context>
 <context>
@@ -9436,8 +9436,8 @@
         <translation>Un archivo…</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Mallas y escaneos (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Todos los archivos (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>Mallas y escaneos (%1);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -9507,8 +9507,8 @@
         <translation>La forma que se debe enfundar</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>Mallas y archivos CAD (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;Todos los archivos (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>Mallas y archivos CAD (%1);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Fabric</source>

@@ -4613,10 +4613,6 @@
         <translation>%1 a déjà un tissu dans ce coloris&#x202f;; supprimez l’un des deux</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>affiché de la façon habituelle à la place</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>ce qu’il dit de pièces et tissus manquants est omis</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>Les parties de %1 plus courtes qu’une arête du maillage ont disparu avec la coupe.</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>la valeur habituelle est utilisée à la place</translation>
     </message>
 </context>
 <context>
@@ -9436,8 +9436,8 @@
         <translation>Un fichier…</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Maillages et scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Tous les fichiers (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>Maillages et scans (%1);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -9507,8 +9507,8 @@
         <translation>La forme à recouvrir</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>Maillages et fichiers CAO (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;Tous les fichiers (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>Maillages et fichiers CAO (%1);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Fabric</source>

@@ -4613,10 +4613,6 @@
         <translation>%1 ha già un tessuto in questa variante colore; rimuovere uno dei due</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>mostrato invece nel modo consueto</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>ciò che indica su pezzi e tessuti mancanti viene omesso</translation>
     </message>
@@ -5959,6 +5955,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>Le parti di %1 più corte di un lato della maglia sono scomparse con il taglio.</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>al suo posto si usa il valore abituale</translation>
     </message>
 </context>
 <context>
@@ -9436,8 +9436,8 @@
         <translation>Un file…</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Mesh e scansioni (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Tutti i file (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>Mesh e scansioni (%1);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
@@ -9507,8 +9507,8 @@
         <translation>La forma da rivestire</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>Mesh e file CAD (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;Tutti i file (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>Mesh e file CAD (%1);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Fabric</source>
@@ -9609,7 +9609,7 @@
     </message>
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
-        <translation>Ogni faccia come la conosce il programma CAD, anche dove due proseguono dolcemente l'una nell'altra</translation>
+        <translation>Ogni faccia come la conosce il programma CAD, anche dove due proseguono dolcemente l&apos;una nell&apos;altra</translation>
     </message>
 </context>
 <context>

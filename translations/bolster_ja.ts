@@ -4609,10 +4609,6 @@
         <translation>このカラーウェイで %1 にはすでに生地があります。一方を削除してください</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>代わりに通常の方法で表示します</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>存在しないパーツと生地に関する記載は無視します</translation>
     </message>
@@ -5955,6 +5951,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>%1 のうちメッシュの辺より短い部分は切断でなくなりました。</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>代わりに通常の値が使われます</translation>
     </message>
 </context>
 <context>
@@ -9415,8 +9415,8 @@
         <translation>ファイル…</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>メッシュとスキャン (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;すべてのファイル (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>メッシュとスキャン (%1);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -9486,8 +9486,8 @@
         <translation>カバーをかける形状</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>メッシュと CAD ファイル (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;すべてのファイル (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>メッシュと CAD ファイル (%1);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Fabric</source>

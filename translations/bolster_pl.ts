@@ -4617,10 +4617,6 @@
         <translation>%1 ma już materiał w tym wariancie kolorystycznym; usuń jeden z dwóch</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>pokazano zamiast tego w zwykły sposób</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>pominięto to, co dotyczy brakujących elementów i materiałów</translation>
     </message>
@@ -5963,6 +5959,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>Części %1 krótsze niż krawędź siatki zniknęły przy cięciu.</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>zamiast tego użyto zwykłej wartości</translation>
     </message>
 </context>
 <context>
@@ -9457,8 +9457,8 @@
         <translation>Plik…</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>Siatki i skany (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;Wszystkie pliki (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>Siatki i skany (%1);;Wszystkie pliki (*)</translation>
     </message>
 </context>
 <context>
@@ -9528,8 +9528,8 @@
         <translation>Forma do pokrycia</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>Siatki i pliki CAD (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;Wszystkie pliki (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>Siatki i pliki CAD (%1);;Wszystkie pliki (*)</translation>
     </message>
     <message>
         <source>Fabric</source>

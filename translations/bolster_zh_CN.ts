@@ -4609,10 +4609,6 @@
         <translation>%1 在此配色中已有面料；请删除其中一个</translation>
     </message>
     <message>
-        <source>shown in the usual way instead</source>
-        <translation>改为以通常方式显示</translation>
-    </message>
-    <message>
         <source>what it says of missing patches and fabrics is left out</source>
         <translation>其中关于缺失样片和面料的内容被略去</translation>
     </message>
@@ -5955,6 +5951,10 @@
     <message>
         <source>Parts of %1 that are shorter than a mesh edge have gone with the cut.</source>
         <translation>%1 中短于网格边的部分已随剪切消失。</translation>
+    </message>
+    <message>
+        <source>the usual value is used instead</source>
+        <translation>改用通常的值</translation>
     </message>
 </context>
 <context>
@@ -9415,8 +9415,8 @@
         <translation>文件…</translation>
     </message>
     <message>
-        <source>Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)</source>
-        <translation>网格和扫描 (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;所有文件 (*)</translation>
+        <source>Meshes and scans (%1);;All files (*)</source>
+        <translation>网格和扫描 (%1);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -9486,8 +9486,8 @@
         <translation>要覆面的形体</translation>
     </message>
     <message>
-        <source>Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;All files (*)</source>
-        <translation>网格和 CAD 文件 (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;所有文件 (*)</translation>
+        <source>Meshes and CAD files (%1);;All files (*)</source>
+        <translation>网格和 CAD 文件 (%1);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Fabric</source>

@@ -35,7 +35,7 @@ std::array<int, 2> parsedSize(const std::string& text)
 
 void checkSize(const PreviewOptions& options)
 {
-    constexpr int longest = 16384;
+    constexpr int longest = largestPictureSide;
     const std::int64_t pixels = static_cast<std::int64_t>(options.width) * options.height;
     const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
     if (options.width > longest || options.height > longest)

@@ -4,6 +4,7 @@
 #include "FramePicture.h"
 #include "NumberBox.h"
 #include "PartsTree.h"
+#include "PlacedFields.h"
 #include "SimplifyChoice.h"
 #include "Units.h"
 #include "ViewColors.h"
@@ -63,7 +64,8 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     , m_saidUnit(said.millimetresPerUnit)
     , m_keep(new QCheckBox(tr("&Keep scale, position and rotation"), this))
     , m_unit(new QComboBox(this))
-    , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
+    , m_factor(new NumberBox(
+          {tr(" mm per unit"), placedScale.box.decimals, placedScale.box.least, placedScale.box.most, 1}, this))
     , m_up(new QComboBox(this))
     , m_onFloor(new QCheckBox(tr("&Place it on the floor, in the middle"), this))
     , m_said(new QLabel(saidText(file, said), this))

@@ -32,7 +32,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr QSize roughPreview{320, 240}; // is there at once
-constexpr int longestSide = 16384;
 
 /// On a background of squares where it is transparent, as programs for pictures show it.
 QPixmap pixmapOf(const PreviewImage& image)
@@ -160,7 +159,7 @@ void RenderDialog::buildChoices()
 QSpinBox* RenderDialog::sideBox(int pixels)
 {
     auto* box = new QSpinBox(this);
-    box->setRange(16, longestSide);
+    box->setRange(16, largestPictureSide);
     box->setValue(pixels);
     box->setSuffix(tr(" px"));
     return box;

@@ -65,7 +65,8 @@ AreaRow::AreaRow(const Parts& parts, QWidget* parent)
     , m_only(new QCheckBox(tr("Onl&y in a painted area"), this))
     , m_paint(new QPushButton(tr("Paint"), this))
     , m_clear(new QPushButton(tr("Clear"), this))
-    , m_radius(new NumberBox({millimetreSuffix, 0, 5, 500, 5, true}, this))
+    , m_radius(new NumberBox({millimetreSuffix, 0, AreaBrushTool::leastRadius, AreaBrushTool::mostRadius, 5, true},
+                             this))
 {
     m_only->setToolTip(tr("The form and the limit of strain count only there"));
     m_paint->setToolTip(tr("Drag over the cover in the 3D view; with Shift held down it takes away"));

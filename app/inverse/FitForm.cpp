@@ -1,5 +1,7 @@
 #include "FitForm.h"
 
+#include "FileFormats.h"
+#include "FileGuess.h"
 #include "FormImport.h"
 
 namespace bolster {
@@ -12,7 +14,8 @@ bool readTarget(const FitForm& form, FitTarget& target, Message& problem, const 
     }
     if (form.file.isEmpty())
         return true;
-    const ImportedForm read = importForm(form.file, {stop, {}, {}});
+    ImportedForm read = importForm(form.file, {stop, {}, {}});
+    read = placed(read, saidPlacement(read.said, endingOf(form.file)));
     if (read.mesh)
         target = targetOf(*read.mesh);
     else if (read.cloud)

@@ -17,7 +17,7 @@ namespace bolster {
 struct FitForm {
     std::optional<Scan> scan;
     std::shared_ptr<const PointCloud> cloud;
-    QString file; ///< a mesh or points, mm
+    QString file; ///< a mesh or points, as they lie in the design; in mm, where they say nothing else
 
     bool empty() const { return !cloud && file.isEmpty(); }
 };

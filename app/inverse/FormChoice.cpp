@@ -2,6 +2,7 @@
 
 #include "Ask.h"
 #include "DesignSession.h"
+#include "FileFormats.h"
 
 #include <QFileInfo>
 
@@ -54,7 +55,8 @@ bool FormChoice::asksForFile()
 void FormChoice::chooseFile()
 {
     askForFile(this, m_fileTitle, usualFolder(m_session.path()),
-               tr("Meshes and scans (*.obj *.ply *.stl *.off *.xyz *.pcd *.e57);;All files (*)"),
+               tr("Meshes and scans (%1);;All files (*)")
+                   .arg(patternsOf(FileUse::Frame) + ' ' + patternsOf(FileUse::Scan)),
                [this](const QString& file) {
                    m_file = file;
                    setItemText(count() - 1, QFileInfo(file).fileName());

@@ -38,9 +38,10 @@ Message FormPatternJob::read(const QString& path, const std::stop_token& stop)
     if (m_form.mesh && m_form.state == state)
         return {};
     m_form = {};
-    const ImportedMesh read = importMesh(path, {stop, {}, {}});
+    ImportedMesh read = importMesh(path, {stop, {}, {}}, true);
     if (!read.mesh)
         return read.problem;
+    m_edges = {state, std::move(read.edges)};
     const Placement placement = proposedPlacement(read, path);
     auto placed = std::make_shared<TriangleMesh>(*read.mesh);
     for (Vec3& point : placed->points)
@@ -49,19 +50,27 @@ Message FormPatternJob::read(const QString& path, const std::stop_token& stop)
     return {};
 }
 
-void FormPatternJob::addEdges(FormCuts& cuts, const FormWanted& wanted, const std::stop_token& stop)
+/// Of a frame's file, whose mesh the design has already.
+Message FormPatternJob::readEdges(const QString& path, const std::stop_token& stop)
 {
-    const FileState state = stateOf(wanted.cadFile);
-    if (m_edgesState != state) {
-        m_edges = importFrameEdges(wanted.cadFile, {stop, {}, {}}).edges;
-        m_edgesState = stop.stop_requested() ? FileState{} : state;
-    }
-    for (const FrameEdge& edge : m_edges) {
-        if (wanted.frame && std::ranges::count(wanted.frame->hiddenParts, edge.part) > 0)
+    const FileState state = stateOf(path);
+    if (m_edges.state == state)
+        return {};
+    m_edges = {};
+    ImportedEdges read = importFrameEdges(path, {stop, {}, {}});
+    if (read.problem.empty() && !stop.stop_requested())
+        m_edges = {state, std::move(read.edges)};
+    return read.problem;
+}
+
+void FormPatternJob::addEdges(FormCuts& cuts, const std::optional<Frame>& frame) const
+{
+    for (const FrameEdge& edge : m_edges.edges) {
+        if (frame && std::ranges::count(frame->hiddenParts, edge.part) > 0)
             continue;
         std::vector<Vec3>& row = cuts.edges.emplace_back(edge.points);
         for (Vec3& point : row)
-            point = wanted.frame ? wanted.frame->placed(point) : m_form.placement.placed(point);
+            point = frame ? frame->placed(point) : m_form.placement.placed(point);
     }
 }
 
@@ -81,8 +90,12 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         if (!mesh)
             return made;
         FormCuts cuts = wanted.cuts;
-        if (!wanted.cadFile.isEmpty())
-            addEdges(cuts, wanted, stop);
+        if (!wanted.cadFile.isEmpty()) {
+            made.problem = readEdges(wanted.cadFile, stop);
+            if (!made.problem.empty() || stop.stop_requested())
+                return made;
+            addEdges(cuts, wanted.frame);
+        }
         made.form = cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
         made.problem = made.form.problem;
         if (!made.problem.empty() || stop.stop_requested())

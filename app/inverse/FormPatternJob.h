@@ -52,14 +52,18 @@ private:
         std::shared_ptr<const TriangleMesh> mesh; ///< mm
         Placement placement;
     };
+    struct EdgesOfFile {
+        FileState state;
+        std::vector<FrameEdge> edges; ///< file units
+    };
 
     static FileState stateOf(const QString& path);
     Message read(const QString& path, const std::stop_token& stop);
-    void addEdges(FormCuts& cuts, const FormWanted& wanted, const std::stop_token& stop);
+    Message readEdges(const QString& path, const std::stop_token& stop);
+    void addEdges(FormCuts& cuts, const std::optional<Frame>& frame) const;
 
     FormOfFile m_form;
-    FileState m_edgesState;
-    std::vector<FrameEdge> m_edges; // file units
+    EdgesOfFile m_edges;
     std::shared_ptr<FormDraft> m_draft = newFormDraft();
 };
 

@@ -279,8 +279,7 @@ void FormPatternWindow::tickLines(bool ticked)
 void FormPatternWindow::chooseFile()
 {
     askForFile(this, tr("The form to be covered"), usualFolder(m_session.path()),
-               tr("Meshes and CAD files (*.obj *.ply *.stl *.off *.step *.stp *.gltf *.glb *.3mf *.fbx *.dae);;"
-                  "All files (*)"),
+               tr("Meshes and CAD files (%1);;All files (*)").arg(patternsOf(FileUse::Frame)),
                [this](const QString& file) {
                    m_file = file;
                    m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());

@@ -2,6 +2,7 @@
 
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "FabricFields.h"
 #include "FormChoice.h"
 #include "HeadedList.h"
 #include "NumberBox.h"
@@ -132,7 +133,7 @@ QWidget* PatternFitWindow::buildGoals()
     connect(m_form, &FormChoice::fileChosen, this, [this] { m_lies->setChecked(true); });
     m_strained = new QCheckBox(tr("&Strain is at most"), box);
     m_strained->setToolTip(tr("Along the grain, across it, and in shear; the cover stays where it is"));
-    m_limit = new NumberBox({tr(" %"), 2, 0.1, 100, 0.5}, box);
+    m_limit = new NumberBox({tr(" %"), 2, strainLimit.least, strainLimit.most, 0.5}, box);
     m_limit->setAccessibleName(tr("Limit of strain"));
     m_limit->display(StretchLimits{}.along);
     auto* rows = new QVBoxLayout(box);
@@ -226,7 +227,7 @@ QWidget* PatternFitWindow::buildLocks()
     for (QCheckBox* check : {m_lengths, m_straight, m_corners})
         checks->addWidget(check);
     checks->addStretch(1);
-    m_most = new NumberBox({millimetreSuffix, 2, 0.1, 1000, 1, true}, box);
+    m_most = new NumberBox({millimetreSuffix, 2, FitOrder::leastChange, FitOrder::farthestChange, 1, true}, box);
     m_most->display(20);
     auto* label = new QLabel(tr("No point &moves farther than"), box);
     label->setBuddy(m_most);

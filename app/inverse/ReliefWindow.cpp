@@ -3,6 +3,7 @@
 #include "ColumnScroll.h"
 #include "CoverView.h"
 #include "DesignSession.h"
+#include "FabricFields.h"
 #include "NumberBox.h"
 #include "RunRow.h"
 #include "Translated.h"
@@ -90,7 +91,7 @@ QWidget* ReliefWindow::buildOrder()
     auto* box = new QWidget(this);
     m_ownLimit = new QCheckBox(tr("Strain is at &most"), box);
     m_ownLimit->setToolTip(tr("Else the limits of the fabrics count"));
-    m_limit = new NumberBox({tr(" %"), 2, 0.1, 100, 0.5}, box);
+    m_limit = new NumberBox({tr(" %"), 2, strainLimit.least, strainLimit.most, 0.5}, box);
     m_limit->setAccessibleName(tr("Limit of strain"));
     m_limit->display(StretchLimits{}.along);
     m_limit->setEnabled(false);

@@ -1,5 +1,6 @@
 #include "Preferences.h"
 
+#include "AllowanceFields.h"
 #include "PreferenceChoices.h"
 
 #include <algorithm>
@@ -163,7 +164,7 @@ const std::vector<PreferenceRow>& preferenceTable()
          QT_TRANSLATE_NOOP("Preferences", "default material leather weave colour"),
          QT_TRANSLATE_NOOP("Preferences",
                            "A new design begins with it, and patches are made of a design's first fabric.")},
-        {"designs/allowance", Page::Designs, &P::allowance, LengthNumber{0, 200},
+        {"designs/allowance", Page::Designs, &P::allowance, LengthNumber{allowanceWidth.least, allowanceWidth.most},
          QT_TRANSLATE_NOOP("Preferences", "Seam allowance"),
          QT_TRANSLATE_NOOP("Preferences", "default cutting margin hem width"),
          QT_TRANSLATE_NOOP("Preferences",

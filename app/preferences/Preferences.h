@@ -2,6 +2,8 @@
 // how it is kept, found, shown, and taken to another machine.
 #pragma once
 
+#include "CutAllowance.h"
+
 #include <QCoreApplication>
 #include <QList>
 #include <QString>
@@ -31,7 +33,7 @@ struct Preferences {
     bool reducedMotion = false;
     int daysInBin = 30;
     QString fabric; ///< key of a preset; "": Bolster's plain one
-    double allowance = 10;
+    double allowance = CutAllowance{}.width;
     QString fabricFolder; ///< "": where the design lies
 
     friend bool operator==(const Preferences&, const Preferences&) = default;

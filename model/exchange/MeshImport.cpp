@@ -37,6 +37,7 @@ ImportedMesh allOf(ImportedAssembly imported)
     if (imported.assembly) {
         all.said = imported.assembly->said;
         all.tree = outlinesOf(*imported.assembly);
+        all.edges = edgesOf(*imported.assembly);
         all.mesh =
             std::make_shared<const TriangleMesh>(meshOf(*imported.assembly, [](std::uint32_t) { return true; }));
     }
@@ -45,11 +46,11 @@ ImportedMesh allOf(ImportedAssembly imported)
 
 } // namespace
 
-ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
+ImportedMesh importMesh(const QString& path, const ImportWatch& watch, bool withEdges)
 {
     const QString ending = endingOf(path);
     if (isAssemblyEnding(ending))
-        return allOf(importAssembly(path, watch));
+        return allOf(importAssembly(path, watch, {usualTolerance, withEdges}));
     for (const MeshFormat& format : meshFormats) {
         if (ending != QLatin1String(format.ending))
             continue;

@@ -58,7 +58,7 @@ void main()
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 even = normalize(side * eyeNormal), n = even;
     Cloth seen = fabric(square > 0.0 ? checker() : darkTone, cloth, eyePosition, !quick && gl_FrontFacing, n);
-    seen.color = mix(seen.color, pow(map.rgb, vec3(2.2)), map.a);
+    seen.color = mix(seen.color, pow(map.rgb, vec3(mapGamma)), map.a);
     if (gl_FrontFacing)
         seen = inValley(seen, pressed(even, n));
     else

@@ -24,7 +24,7 @@ vec3 bent(vec3 n, vec3 position, vec2 tile, vec3 relief)
 // What lies at a place of the cloth, mm; the plain colour where there are no maps. With relief the normal leans.
 Cloth fabric(vec3 plain, vec2 place, vec3 position, bool relief, inout vec3 n)
 {
-    Cloth seen = Cloth(plain, plainRoughness, sheen, 0.04);
+    Cloth seen = Cloth(plain, plainRoughness, sheen, clothSpecular);
     if (!textured)
         return seen;
     vec2 tile = vec2(dot(toTileX, place), dot(toTileY, place));

@@ -17,8 +17,9 @@ struct FitOrder {
     FitLocks locks;
     std::vector<Freedom> freedoms;
     double mostChange = 20; ///< mm that a control point may move; of other freedoms: 20 steps
-    int mostRounds = 8;     ///< of each triangulation
-    int threads = 0;        ///< 0: as many as the machine has
+    static constexpr double leastChange = 0.01, farthestChange = 1000; ///< what can be asked for
+    int mostRounds = 8;                                                ///< of each triangulation
+    int threads = 0;                                                   ///< 0: as many as the machine has
 };
 
 /// What was reached: for progress, for reports, and for who stops and keeps it.

@@ -14,6 +14,7 @@
 #include "RestingSolve.h"
 #include "SurfaceExport.h"
 #include "SweepWindow.h"
+#include "TestPaths.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -180,6 +181,48 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(count<Patch>(), 0);
     EXPECT_EQ(count<FixationCurve>(), 4);
+}
+
+TEST_F(BothWaysTest, AFrameFromCadIsCutAtTheEdgesOfItsFaces)
+{
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(test::dataFolder() + "/frames/two-faces.step"),
+                            folder.filePath("seat.step")));
+    Frame frame;
+    frame.name = "Seat";
+    frame.file = "seat.step";
+    const Design start;
+    writeText(folder.filePath("seat.json"),
+              writeDesign(start.with({{}, {{start.nextId(), nullptr, makeElement(frame)}}})));
+    ASSERT_TRUE(open(folder.filePath("seat.json")));
+    waitForBackground();
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    const auto pieces = [&](std::size_t count) {
+        return QTest::qWaitFor([&] { return dialog->made() && dialog->made()->flat.size() == count; }, 60000);
+    };
+    EXPECT_TRUE(pieces(1)) << "it is flat, and one part";
+    QCheckBox* faces = nullptr;
+    for (auto* box : dialog->findChildren<QCheckBox*>())
+        if (box->text().contains("CAD"))
+            faces = box;
+    ASSERT_TRUE(faces);
+    ASSERT_TRUE(faces->isVisible());
+    faces->setFocus();
+    QTest::keyClick(faces, Qt::Key_Space);
+    EXPECT_TRUE(pieces(2));
+    pressIn(*dialog, "Make the pattern");
+    EXPECT_EQ(count<Patch>(), 2);
+    EXPECT_EQ(count<Seam>(), 1);
+
+    // Without its file there are no edges, and nothing is cut at them.
+    ASSERT_TRUE(QFile::remove(folder.filePath("seat.step")));
+    designer.choose({"Pattern", "From a form"});
+    dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    for (auto* box : dialog->findChildren<QCheckBox*>())
+        EXPECT_FALSE(box->text().contains("CAD") && box->isVisible());
 }
 
 /// The sample's cover as it should be is the scan; one of its patches is too large.

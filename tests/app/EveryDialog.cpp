@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "ElidedLabel.h"
 #include "StartCard.h"
+#include "WatchedApplication.h"
 
 #include <QAbstractSpinBox>
 #include <QAccessible>
@@ -154,7 +155,7 @@ int lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const Q
         QDialog* dialog = nullptr;
         (void)QTest::qWaitFor([&] { return (dialog = openDialogOf(window)) != nullptr; }, 1500);
         if (dialog && !qobject_cast<QFileDialog*>(dialog)) {
-            QTest::qWait(50); // laid out
+            waitUntilLaidOut();
             look(*dialog, action->objectName());
             ++count;
         }

@@ -46,6 +46,14 @@ TEST(FileImport, ScannersFormatsAreInMetresWhateverTheirSize)
     EXPECT_EQ(FileImportDialog(QStringLiteral("hall.obj"), hall).placement().scale, 10);
 }
 
+TEST(FileImport, WhatTheFileSaysIsTakenAsSaidAndElseMillimetres)
+{
+    const Placement inches = saidPlacement({25.4, UpAxis::Y}, QStringLiteral("step"));
+    EXPECT_TRUE(inches.placed({0, 2, 0}).isApprox(Vec3(0, 0, 50.8)));
+    EXPECT_TRUE(saidPlacement({}, QStringLiteral("e57")).placed({1, 2, 3}).isApprox(Vec3(1000, 2000, 3000)));
+    EXPECT_TRUE(saidPlacement({}, QStringLiteral("obj")).placed({1, 2, 3}).isApprox(Vec3(1, 2, 3)));
+}
+
 TEST(FileImport, GuessesAFactorWhereNoUnitFits)
 {
     for (const double size : {1e-9, 4e-7, 2e-4, 3e5, 1e6, 9e6}) {

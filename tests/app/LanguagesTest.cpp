@@ -103,14 +103,14 @@ QStringList faultsIn(const QString& language, double size)
     window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
     window.greet();
-    QTest::qWait(100);
+    waitUntilLaidOut();
     note(window.startPage(), "start");
     bool opened = false;
     QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
     window.open(QString::fromStdString(test::samplesFolder() + "/box-cushion/box-cushion.json"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return opened && window.solver().atRest(); }, 120000));
     window.document().design().each<Patch>([&](ElementId id, const Patch&) { window.selection().set({id}); });
-    QTest::qWait(100);
+    waitUntilLaidOut();
     note(window, "window");
     EXPECT_LE(window.menuBar()->sizeHint().width(), window.width()) << language.toStdString();
     EXPECT_GT(test::lookAtDialogs(window, note), 10) << language.toStdString();
@@ -164,7 +164,7 @@ TEST_F(AccessibleTest, EveryControlHasANameAndARole)
     for (QDockWidget* dock : window.docks().all())
         Docks::reveal(dock);
     window.document().design().each<Patch>([&](ElementId id, const Patch&) { window.selection().set({id}); });
-    QTest::qWait(100);
+    waitUntilLaidOut();
     QStringList nameless = test::namelessControls(window);
     const int dialogs = test::lookAtDialogs(window, [&](const QWidget& dialog, const QString& id) {
         for (const QString& control : test::namelessControls(dialog))

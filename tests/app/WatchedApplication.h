@@ -98,4 +98,18 @@ private:
     Longest m_paint;
 };
 
+/// The windows are laid out, whatever the window manager makes of them.
+inline void waitUntilLaidOut()
+{
+    constexpr int calmRounds = 5, mostRounds = 500;
+    const auto* const application = static_cast<const WatchedApplication*>(qApp);
+    for (int calm = 0, round = 0; calm < calmRounds && round < mostRounds; ++calm, ++round) {
+        const int before = application->changesOfLayout();
+        QGuiApplication::sync();
+        QCoreApplication::processEvents();
+        if (application->changesOfLayout() != before)
+            calm = 0;
+    }
+}
+
 } // namespace bolster

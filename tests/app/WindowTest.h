@@ -88,19 +88,6 @@ protected:
                                mostMs);
     }
 
-    /// The windows are laid out, whatever the window manager makes of them.
-    void waitUntilLaidOut()
-    {
-        constexpr int calmRounds = 5, mostRounds = 500;
-        for (int calm = 0, round = 0; calm < calmRounds && round < mostRounds; ++calm, ++round) {
-            const int before = application().changesOfLayout();
-            QGuiApplication::sync();
-            QCoreApplication::processEvents();
-            if (application().changesOfLayout() != before)
-                calm = 0;
-        }
-    }
-
     /// What was begun beside the windows is done, and they know of it.
     void waitForBackground()
     {

@@ -226,7 +226,42 @@ TEST_F(LooksTest, ABadLookKeepsHowTheFabricBehaves)
     const Design spoilt = design.with(replaceElement(design, leather, makeElement(bad), {"Spoil"}));
     const Design usable = usablePart(spoilt, checkDesign(spoilt));
     EXPECT_EQ(usable.find<Fabric>(leather)->stiffness, 7);
-    EXPECT_EQ(usable.find<Fabric>(leather)->look, FabricLook());
+    FabricLook look = get<Fabric>(leather).look;
+    look.relief = usualLook(look.kind).relief;
+    EXPECT_EQ(usable.find<Fabric>(leather)->look, look) << "what is not wrong stays";
+}
+
+TEST_F(LooksTest, ABadLookKeepsHowTheFabricIsCut)
+{
+    Fabric bad = get<Fabric>(leather);
+    bad.cutting = {1200, 3, 1.5};
+    bad.note = "Order in March";
+    bad.color = "brown";
+    const Design spoilt = design.with(replaceElement(design, leather, makeElement(bad), {"Spoil"}));
+    Problems leftOut;
+    const Design usable = usablePart(spoilt, checkDesign(spoilt), &leftOut);
+    bad.color = Fabric{}.color;
+    EXPECT_EQ(*usable.find<Fabric>(leather), bad);
+    ASSERT_EQ(leftOut.size(), 1U);
+    EXPECT_EQ(leftOut[0].field, "color");
+}
+
+TEST_F(LooksTest, WhatIsCutCostsNoShape)
+{
+    Patch patch = get<Patch>(seat);
+    patch.cutting.quantity = -1;
+    Fabric fabric = get<Fabric>(leather);
+    fabric.stiffness = 7;
+    fabric.cutting.width = -5;
+    Design spoilt = design.with(replaceElement(design, seat, makeElement(patch), {"Spoil"}));
+    spoilt = spoilt.with(replaceElement(spoilt, leather, makeElement(fabric), {"Spoil"}));
+    ASSERT_TRUE(hasErrors(checkDesign(spoilt)));
+    const Design usable = usablePart(spoilt, checkDesign(spoilt));
+    ASSERT_TRUE(usable.find<Patch>(seat));
+    EXPECT_EQ(usable.find<Patch>(seat)->cutting.quantity, PieceCutting{}.quantity);
+    EXPECT_EQ(usable.find<Patch>(seat)->outline, patch.outline);
+    EXPECT_EQ(usable.find<Fabric>(leather)->stiffness, 7);
+    expectSound(usable);
 }
 
 TEST_F(LooksTest, APatchThatIsLeftOutTakesItsTrimAndItsColourAlong)

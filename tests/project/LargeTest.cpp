@@ -61,7 +61,7 @@ struct Times {
     double mean() const { return std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()); }
 };
 
-TEST_F(LargeProject, OpensQuicklyAndIsHardlyLargerThanItsEdits)
+TEST_F(LargeProject, IsHardlyLargerThanItsEdits)
 {
     const int edits = rounds("BOLSTER_LARGE_EDITS", 20'000);
     Document document;
@@ -113,10 +113,11 @@ TEST_F(LargeProject, OpensQuicklyAndIsHardlyLargerThanItsEdits)
     double payload = 0;
     for (NodeId id = 0; id < project.history.count(); ++id)
         payload += static_cast<double>(encodeChanges(storedChanges(project, id).value()).size());
+    const double times = static_cast<double>(QFileInfo(path("a.bolster")).size()) / payload;
+    EXPECT_LT(times, 2);
     std::printf("%d edits: reopened in %.2f s (%.2f s of processor time), file %.1f MB, %.2f times its edits\n",
                 project.history.count() - 1, opening, processor,
-                static_cast<double>(QFileInfo(path("a.bolster")).size()) / 1e6,
-                static_cast<double>(QFileInfo(path("a.bolster")).size()) / payload);
+                static_cast<double>(QFileInfo(path("a.bolster")).size()) / 1e6, times);
     const auto print = [](const char* what, double commit, double least) {
         std::printf("a commit: %-6s %6.2f ms, %4.1f times the %6.2f ms of writing and syncing as many bytes\n",
                     what, commit, commit / least, least);

@@ -6,6 +6,8 @@ headers of one name, and sources that do not begin with their own header.
 import collections
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 
 TOPS = ("model", "solver", "widgets", "app")
@@ -88,6 +90,30 @@ def print_figures(root):
     for folder, count in sorted(collections.Counter(file.parent for file in files).items()):
         print(f"{count:4} {folder.relative_to(root)}")
     print(f"{len(cycles(graph_of(root, files)))} cycles")
+    lengths = [len(file.read_text(errors="replace").splitlines()) for file in files]
+    print(f"{len(files)} headers and sources, {sum(lengths)} lines, {spread(lengths)}; over 300: {over(lengths, 300)}")
+    functions = function_lengths(files)
+    if functions:
+        print(f"{len(functions)} functions of lines {spread(functions)}; over 30: {over(functions, 30)}")
+
+
+def spread(lengths):
+    ordered = sorted(lengths)
+    return f"median {ordered[len(ordered) // 2]}, 90th percentile {ordered[len(ordered) * 9 // 10]}"
+
+
+def over(lengths, most):
+    return sum(length > most for length in lengths)
+
+
+def function_lengths(files):
+    """As universal-ctags sees them; none where it is not installed."""
+    if not shutil.which("ctags"):
+        return []
+    tags = subprocess.run(["ctags", "-f", "-", "--languages=C++", "--langmap=C++:.cpp.h", "--kinds-C++=f", "--fields=ne", "-L", "-"],
+                          input="\n".join(map(str, files)), capture_output=True, text=True, check=True).stdout
+    found = re.findall(r"\bline:(\d+).*\bend:(\d+)", tags)
+    return [int(end) - int(first) + 1 for first, end in found]
 
 
 if __name__ == "__main__":

@@ -1,13 +1,12 @@
 #include "GlCover.h"
 
 #include "Design.h"
+#include "Shading.h"
 
 namespace bolster {
 
 namespace {
 
-constexpr float plainRoughness = 0.62F;
-constexpr float plainSheen = 0.12F;
 constexpr int places = 8;      ///< one behind the other, for patches that lie in the same place
 constexpr float placeStep = 4; ///< between two of them, in the smallest steps of depth: far less than a millimetre
 
@@ -51,12 +50,12 @@ void GlCover::setCloth(const ViewScene& scene, ElementId patch, bool quick)
 {
     const Scene::PatchLook* look = scene.look(patch);
     const auto tint = scene.tints.find(patch);
-    const Eigen::Vector3f color = linearLight(colorOf(look ? look->color : Scene::PatchLook{}.color));
-    m_program.set("lightTone", Eigen::Vector3f((1.6F * color.array() + 0.03F).min(1.F)));
-    m_program.set("darkTone", Eigen::Vector3f((scene.checker ? 0.85F : 1.F) * color));
+    const shading::vec3 color = linearLight(colorOf(look ? look->color : Scene::PatchLook{}.color));
+    m_program.set("lightTone", shading::lightSquare(color).matrix().eval());
+    m_program.set("darkTone", (scene.checker ? shading::darkSquare(color) : color).matrix().eval());
     m_program.set("tint", tint != scene.tints.end() ? tint->second : QColor(0, 0, 0, 0));
-    m_program.set("plainRoughness", plainRoughness);
-    m_program.set("sheen", plainSheen);
+    m_program.set("plainRoughness", shading::bareRoughness);
+    m_program.set("sheen", shading::bareSheen);
     m_fabrics.wear(m_program, look && !scene.checker ? look->maps : nullptr, look ? look->turn : 0, quick);
 }
 

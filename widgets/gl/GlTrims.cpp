@@ -1,5 +1,7 @@
 #include "GlTrims.h"
 
+#include "Shading.h"
+
 namespace bolster {
 
 GlTrims::GlTrims(GlFunctions& gl, GlFabrics& fabrics)
@@ -32,7 +34,7 @@ void GlTrims::draw(const ViewScene& scene, const GlView& view, bool quick)
         const auto maps = scene.fabrics.find(part.fabric);
         const bool textured = maps != scene.fabrics.end() && !scene.checker;
         m_program.set("material", linearLight(colorOf(part.color)));
-        m_program.set("plainRoughness", 0.6F);
+        m_program.set("plainRoughness", shading::trimRoughness);
         m_program.set("sheen", 0.F);
         m_fabrics.wear(m_program, textured ? maps->second : nullptr, 0, quick);
         m_triangles.draw(part.firstTriangle, part.triangleCount);

@@ -1,5 +1,7 @@
 #include "GlView.h"
 
+#include "Shading.h"
+
 #include <cmath>
 
 namespace bolster {
@@ -32,8 +34,8 @@ Box3 drawnBox(const ViewScene& scene)
 GlView::GlView(const ViewScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter)
     : viewport(static_cast<float>(size.width()), static_cast<float>(size.height()))
     , perspective(camera.perspective)
-    , key(lightDirection(camera, 0.55, 0.8))
-    , rim(lightDirection(camera, -2.2, 0.5))
+    , key(lightDirection(camera, shading::keyAzimuth, shading::keyElevation))
+    , rim(lightDirection(camera, shading::rimAzimuth, shading::rimElevation))
     , up(camera.viewMatrix().topLeftCorner<3, 3>().col(2).cast<float>())
 {
     Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();

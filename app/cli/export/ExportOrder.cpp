@@ -1,5 +1,7 @@
 #include "ExportOrder.h"
 
+#include "AllowanceFields.h"
+#include "NotchFields.h"
 #include "Subcommands.h"
 
 namespace bolster::cli {
@@ -48,9 +50,10 @@ CutOptions cutOptionsOf(const Arguments& arguments)
 {
     CutOptions options;
     if (arguments.has("--allowance"))
-        options.allowance = arguments.number("--allowance", 10, 0, 200);
+        options.allowance =
+            arguments.number("--allowance", CutAllowance{}.width, allowanceWidth.least, allowanceWidth.most);
     if (arguments.has("--notch-spacing"))
-        options.notchSpacing = arguments.number("--notch-spacing", 0, 0, 10000);
+        options.notchSpacing = arguments.number("--notch-spacing", 0, notchSpacing.least, notchSpacing.most);
     options.chord = arguments.number("--chord", options.chord, 0.001, 10);
     options.unfold = arguments.has("--unfold");
     return options;

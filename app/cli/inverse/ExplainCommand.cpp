@@ -30,8 +30,8 @@ Options:
   --edge MM             edges of the triangles (the design's); longer ones are faster
   --solve N             causes whose covers are solved, after all have been looked at by
                         derivatives (5)
-  --unit mm|cm|m|in|ft  what the numbers in files are (mm)
-  --up y|z              what points up in files (z)
+  --unit mm|cm|m|in|ft  what the numbers in files are (what they say, or mm)
+  --up y|z              what points up in files (what they say, or z)
   --threads N           use N threads (0: as many as the machine has)
   --report FILE.json    all causes, ranked
 

@@ -1,5 +1,6 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
+#include "FabricFields.h"
 #include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
@@ -47,8 +48,8 @@ Options:
   --area PATCH:X,Y,R    only this disc of a patch's plane (mm; may repeat)
   --max-change MM       how far a control point may move (20)
   --limit PERCENT       of strain, instead of the limits of the fabrics
-  --unit mm|cm|m|in|ft  what the numbers in FILE are (mm)
-  --up y|z              what points up in FILE (z)
+  --unit mm|cm|m|in|ft  what the numbers in FILE are (what it says, or mm)
+  --up y|z              what points up in FILE (what it says, or z)
   --threads N           use N threads (0: as many as the machine has)
   --report FILE.json    what was reached, and what has moved
 
@@ -258,9 +259,10 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
     if (!goals.any())
         throw UsageError("to what? --to FILE, scan, strain, smooth:, seam: or size:");
     if (arguments.has("--limit"))
-        goals.limit = arguments.number("--limit", 8, 0.01, 100);
+        goals.limit = arguments.number("--limit", 0, strainLimit.least, strainLimit.most);
     goals.keepShape = goals.target.empty() ? 0.5 : 0;
-    asked.order.mostChange = arguments.number("--max-change", asked.order.mostChange, 0.01, 1000);
+    asked.order.mostChange =
+        arguments.number("--max-change", asked.order.mostChange, FitOrder::leastChange, FitOrder::farthestChange);
     asked.order.threads = arguments.integer("--threads", 0, 0, 1024);
     return asked;
 }

@@ -1,36 +1,31 @@
 #include "FitTargetFiles.h"
 
+#include "FileFormats.h"
+#include "FileGuess.h"
 #include "FormImport.h"
 #include "LengthUnits.h"
 
 namespace bolster::cli {
 
+Placement placementOf(const Arguments& arguments, const QString& file, FileFacts said)
+{
+    if (const std::optional<double> unit = saidUnit(arguments))
+        said.millimetresPerUnit = unit;
+    if (const std::optional<bool> y = saysUpIsY(arguments))
+        said.up = *y ? UpAxis::Y : UpAxis::Z;
+    return saidPlacement(said, endingOf(file));
+}
+
 FitTarget targetIn(const QString& path, const Arguments& arguments, const std::stop_token& stop)
 {
-    const double unit = saidUnit(arguments).value_or(1);
-    const bool upIsY = saysUpIsY(arguments).value_or(false);
-    const auto upright = [&](std::vector<Vec3> points) {
-        for (Vec3& point : points) {
-            point *= unit;
-            if (upIsY)
-                point = {point.x(), -point.z(), point.y()};
-        }
-        return points;
-    };
-    const ImportedForm read = importForm(path, {stop, {}, {}});
-    if (read.mesh) {
-        TriangleMesh mesh = *read.mesh;
-        mesh.points = upright(std::move(mesh.points));
-        FitTarget target = targetOf(mesh);
-        if (target.empty())
-            throw UsageError(path.toStdString() + ": it has no triangle with an area");
-        return target;
-    }
-    if (!read.cloud)
+    ImportedForm read = importForm(path, {stop, {}, {}});
+    if (!read.mesh && !read.cloud)
         throw UsageError(read.problem.empty() ? "interrupted" : read.problem.english());
-    PointCloud points = *read.cloud;
-    points.points = upright(std::move(points.points));
-    return targetOf(Scan{}, points);
+    read = placed(read, placementOf(arguments, path, read.said));
+    FitTarget target = read.mesh ? targetOf(*read.mesh) : targetOf(Scan{}, *read.cloud);
+    if (read.mesh && target.empty())
+        throw UsageError(path.toStdString() + ": it has no triangle with an area");
+    return target;
 }
 
 FitTarget scanOf(const OpenedDesign& opened, const std::string& option)

@@ -2,10 +2,9 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
 #include "FileFormats.h"
+#include "FitTargetFiles.h"
 #include "FormPattern.h"
-#include "FrameEdges.h"
 #include "Interrupt.h"
-#include "LengthUnits.h"
 #include "MeshImport.h"
 #include "Output.h"
 #include "OutputFiles.h"
@@ -42,8 +41,8 @@ Options:
   --grain DIRECTION     of the grain line: up (the usual way), back or side on the form,
                         or an angle in the pattern, degrees
   --edge MM             edges of the design's triangles (12)
-  --unit mm|cm|m|in|ft  what the numbers in the file are (mm)
-  --up y|z              what points up in the file (z)
+  --unit mm|cm|m|in|ft  what the numbers in the file are (what it says, or mm)
+  --up y|z              what points up in the file (what it says, or z)
   --report FILE.json    strain and area of each piece, lengths of seams
 
 Exit code:
@@ -72,34 +71,13 @@ double numberIn(const std::string& text, const std::string& what, double least, 
     return value;
 }
 
-Vec3 upright(Vec3 point, const Arguments& arguments)
+/// What --by says. The edges of a CAD file's faces come with its triangles.
+FormCuts cutsOf(const QString& surface, const std::string& word)
 {
-    point *= saidUnit(arguments).value_or(1);
-    return saysUpIsY(arguments).value_or(false) ? Vec3(point.x(), -point.z(), point.y()) : point;
-}
-
-/// The edges of a CAD file's faces; where the mesh bends, of other files.
-FormCuts cutsByFaces(const QString& surface, const Arguments& arguments, const std::stop_token& stop)
-{
-    if (!isCadEnding(endingOf(surface)))
-        return {false, bendOfFaces};
-    FormCuts cuts;
-    cuts.groups = false;
-    for (const FrameEdge& edge : importFrameEdges(surface, {stop, {}, {}}).edges) {
-        std::vector<Vec3>& row = cuts.edges.emplace_back(edge.points);
-        for (Vec3& point : row)
-            point = upright(point, arguments);
-    }
-    return cuts;
-}
-
-FormCuts cutsOf(const QString& surface, const Arguments& arguments, const std::stop_token& stop)
-{
-    const std::string word = arguments.path("--by").toStdString();
     if (word.empty() || word == "groups")
         return {};
     if (word == "faces")
-        return cutsByFaces(surface, arguments, stop);
+        return {false, isCadEnding(endingOf(surface)) ? std::nullopt : std::optional(bendOfFaces)};
     if (word.starts_with("angle:"))
         return {false, numberIn(word.substr(6), "the angle of --by", 1, 179)};
     throw UsageError("--by is groups, faces or angle:DEG, not \"" + word + "\"");
@@ -142,11 +120,54 @@ FormGrain grainOf(const Arguments& arguments)
     return {Vec3::Zero(), angle};
 }
 
-TriangleMesh upright(TriangleMesh mesh, const Arguments& arguments)
+std::vector<FormLine> linesAlong(const QString& design)
 {
-    for (Vec3& point : mesh.points)
-        point = upright(point, arguments);
-    return mesh;
+    const OpenedDesign lines = openedShown(design);
+    if (!lines.readable)
+        throw UsageError("--along: " + (lines.problems.empty() ? design.toStdString() + " cannot be read"
+                                                               : lines.problems.front().english()));
+    for (const Problem& problem : lines.problems)
+        if (problem.severity == Severity::Error && problem.element != settingsId)
+            printError("warning: --along: " + problem.english());
+    return linesOf(lines.design);
+}
+
+void printWarnings(const std::vector<Message>& notes)
+{
+    for (const Message& note : notes)
+        printError("warning: " + note.english());
+}
+
+struct ReadForm {
+    Form form;
+    int failure = done; ///< else the exit code; why was said
+};
+
+ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& arguments, const std::stop_token& stop)
+{
+    const ImportedMesh imported = importMesh(surface, {stop, {}, {}}, arguments.path("--by") == "faces");
+    if (!imported.mesh) {
+        printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
+        return {{}, imported.problem.empty() ? otherFailure : badInput};
+    }
+    const Placement placement = placementOf(arguments, surface, imported.said);
+    const auto place = [&](std::vector<Vec3>& points) {
+        for (Vec3& point : points)
+            point = placement.placed(point);
+    };
+    for (const FrameEdge& edge : imported.edges)
+        place(cuts.edges.emplace_back(edge.points));
+    TriangleMesh mesh = *imported.mesh;
+    place(mesh.points);
+    ReadForm read{cutForm(mesh, cuts, stop)};
+    printWarnings(read.form.notes);
+    if (read.form.problem.empty())
+        return read;
+    read.failure = badInput;
+    printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
+    if (!arguments.has("--by") && !arguments.has("--along"))
+        printError("(--by angle:DEG cuts where it bends by more than DEG degrees, --along LINES where you say)");
+    return read;
 }
 
 nlohmann::ordered_json reportOf(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made)
@@ -185,6 +206,16 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
                 numberText(widest, 2) + " mm at most");
 }
 
+bool write(const QString& path, const std::string& text)
+{
+    if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {
+        printError("error: " + problem.english());
+        return false;
+    }
+    printResult("wrote " + path.toStdString());
+    return true;
+}
+
 } // namespace
 
 int flattenForm(std::span<const std::string> words)
@@ -194,71 +225,40 @@ int flattenForm(std::span<const std::string> words)
     const QString out = arguments.path("--out"), report = arguments.path("--report");
     if (out.isEmpty())
         throw UsageError("where to? --out DESIGN.json");
-    expectDistinct({surface, arguments.path("--along")}, {out, report});
-    if (!canBeWritten({out, report}))
-        return otherFailure;
+    FormCuts cuts = cutsOf(surface, arguments.path("--by").toStdString());
     FormPatternOrder order;
     order.fabric = fabricOf(arguments);
     order.grain = grainOf(arguments);
     order.edgeLength = arguments.number("--edge", order.edgeLength, 0.5, 1000);
+    expectDistinct({surface, arguments.path("--along")}, {out, report});
+    if (!canBeWritten({out, report}))
+        return otherFailure;
     if (QFileInfo::exists(out)) {
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
+    if (arguments.has("--along"))
+        cuts.lines = linesAlong(arguments.path("--along"));
     Interrupt interrupt;
-    FormCuts cuts = cutsOf(surface, arguments, interrupt.token());
-    if (arguments.has("--along")) {
-        const OpenedDesign lines = openedShown(arguments.path("--along"));
-        if (!lines.readable)
-            throw UsageError("--along: " + (lines.problems.empty()
-                                                ? arguments.path("--along").toStdString() + " cannot be read"
-                                                : lines.problems.front().english()));
-        for (const Problem& problem : lines.problems)
-            if (problem.severity == Severity::Error && problem.element != settingsId)
-                printError("warning: --along: " + problem.english());
-        cuts.lines = linesOf(lines.design);
-    }
-    const ImportedMesh imported = importMesh(surface, {interrupt.token(), {}, {}});
-    if (!imported.mesh) {
-        printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
-        return imported.problem.empty() ? otherFailure : badInput;
-    }
-    const Form form = cutForm(upright(*imported.mesh, arguments), cuts, interrupt.token());
-    for (const Message& note : form.notes)
-        printError("warning: " + note.english());
-    if (!form.problem.empty()) {
-        printError("error: " + surface.toStdString() + ": " + form.problem.english());
-        if (!arguments.has("--by") && !arguments.has("--along"))
-            printError(
-                "(--by angle:DEG cuts where it bends by more than DEG degrees, --along LINES where you say)");
-        return badInput;
-    }
+    const auto [form, failure] = formOf(surface, std::move(cuts), arguments, interrupt.token());
+    if (failure != done)
+        return failure;
     const std::vector<FlatPiece> flat = flatten(form, {order.fabric.poisson}, interrupt.token());
     if (interrupt.token().stop_requested()) {
         printError("error: interrupted");
         return otherFailure;
     }
     const FormPattern made = formPattern(form, flat, order);
-    for (const Message& note : made.notes)
-        printError("warning: " + note.english());
+    printWarnings(made.notes);
     if (std::ranges::count(made.patches, noElement) == std::ssize(made.patches)) {
         printError("error: none of it can be laid flat, so there is no pattern");
         return badInput;
     }
     printPieces(form, flat, made);
     interrupt.beginWriting();
-    for (const auto& [path, text] :
-         {std::pair(out, writeDesign(made.design)),
-          std::pair(report, report.isEmpty() ? "" : reportOf(form, flat, made).dump(1) + "\n")}) {
-        if (path.isEmpty())
-            continue;
-        if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {
-            printError("error: " + problem.english());
-            return otherFailure;
-        }
-        printResult("wrote " + path.toStdString());
-    }
-    return done;
+    const bool written = write(out, writeDesign(made.design)) &&
+                         (report.isEmpty() || write(report, reportOf(form, flat, made).dump(1) + "\n"));
+    return written ? done : otherFailure;
 }
 
 } // namespace bolster::cli

@@ -1,5 +1,6 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
+#include "FabricFields.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "OutputFiles.h"
@@ -55,7 +56,7 @@ ReliefOrder reliefOrder(const Arguments& arguments)
 {
     ReliefOrder order;
     if (arguments.has("--limit"))
-        order.limit = arguments.number("--limit", 8, 0.01, 100);
+        order.limit = arguments.number("--limit", 0, strainLimit.least, strainLimit.most);
     order.most = arguments.number("--max-change", order.most, 0.1, 100);
     order.solved = arguments.integer("--solve", order.solved, 1, 1000);
     order.edgeLength = arguments.number("--edge", 0, 0.1, 1000);

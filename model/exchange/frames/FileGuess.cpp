@@ -82,6 +82,15 @@ FileUnit proposedUnit(const FileFacts& said, const QString& fileEnding, const Bo
                                    : unitOf(fileEnding).value_or(guessUnit(fileBox, largest));
 }
 
+Placement saidPlacement(const FileFacts& said, const QString& fileEnding)
+{
+    Placement placement;
+    placement.scale =
+        said.millimetresPerUnit.value_or(millimetresPer(unitOf(fileEnding).value_or(FileUnit::Millimetre)));
+    placement.rotation = rotationFor(said.up.value_or(UpAxis::Z));
+    return placement;
+}
+
 double guessFactor(const Box3& fileBox)
 {
     const double size = fileBox.isEmpty() ? 0 : fileBox.sizes().maxCoeff();

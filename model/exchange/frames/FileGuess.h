@@ -24,6 +24,8 @@ FileUnit guessUnit(const Box3& fileBox, double largest);
 std::optional<FileUnit> unitOf(const QString& fileEnding);
 /// What an import proposes: what the file says of its unit, else what its kind says, else by its size.
 FileUnit proposedUnit(const FileFacts& said, const QString& fileEnding, const Box3& fileBox, double largest);
+/// What the file says, or its format; what they say nothing of is in millimetres, and z points up.
+Placement saidPlacement(const FileFacts& said, const QString& fileEnding);
 /// mm per unit for a content that has no known unit: the power of ten that makes it as large as furniture. 1 for
 /// one without any size.
 double guessFactor(const Box3& fileBox);

@@ -100,10 +100,16 @@ ImportedEdges importFrameEdges(const QString& path, const ImportWatch& watch)
     const AssemblyOrder order{coarsest, true}; // its triangles are of no use here
     const ImportedAssembly imported = importAssembly(path, watch, order);
     ImportedEdges edges{{}, imported.problem};
-    if (!imported.assembly)
-        return edges;
-    for (const Assembly::Edge& edge : imported.assembly->edges)
-        edges.edges.push_back({edge.points, imported.assembly->parts[edge.part].name, true});
+    if (imported.assembly)
+        edges.edges = edgesOf(*imported.assembly);
+    return edges;
+}
+
+std::vector<FrameEdge> edgesOf(const Assembly& assembly)
+{
+    std::vector<FrameEdge> edges;
+    for (const Assembly::Edge& edge : assembly.edges)
+        edges.push_back({edge.points, assembly.parts[edge.part].name, true});
     return edges;
 }
 

@@ -12,6 +12,8 @@
 
 namespace bolster {
 
+struct Assembly;
+
 struct FrameEdge {
     std::vector<Vec3> points; ///< at least two; of a closed edge the first one is repeated at its end
     std::string part{};       ///< of the frame
@@ -25,8 +27,12 @@ struct ImportedEdges {
     Message problem;              ///< why, with the file; empty when stopped
 };
 
-/// The edges of the faces in a CAD file (isCadEnding), each once. Takes as long as importAssembly.
+/// The edges of the faces in a CAD file (isCadEnding), each once. Takes as long as importAssembly; importMesh has
+/// both of one reading.
 ImportedEdges importFrameEdges(const QString& path, const ImportWatch& watch = {});
+
+/// Of an assembly that was ordered with them.
+std::vector<FrameEdge> edgesOf(const Assembly& assembly);
 
 inline constexpr std::size_t mostBentTriangles = 3'000'000;
 

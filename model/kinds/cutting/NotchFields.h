@@ -37,6 +37,8 @@ struct Description<NotchShape> {
 
 inline constexpr Field notchShapeField{.key = "shape", .label = QT_TRANSLATE_NOOP("Field", "Shape")};
 
+inline constexpr Number notchSpacing{0, 10000, Unit::Millimetres, {.step = 10}};
+
 template <>
 struct Description<AutomaticNotches> {
     static constexpr const char* section = "see [cutting](#cutting)";
@@ -50,7 +52,7 @@ struct Description<AutomaticNotches> {
                  .label = QT_TRANSLATE_NOOP("Field", "Notches along seams every"),
                  .meaning = "at most so far apart along a seam, evenly; 0: none between its ends",
                  .verb = verb},
-                Number{0, 10000, Unit::Millimetres, {.step = 10}}, s.spacing...);
+                notchSpacing, s.spacing...);
         v.field({.key = "ends",
                  .label = QT_TRANSLATE_NOOP("Field", "Notches at ends of seams"),
                  .meaning = "where a seam ends inside an edge, and where fancy seams meet the outline",

@@ -67,9 +67,10 @@ struct Description<FabricLook> {
     }
 };
 
+inline constexpr Number strainLimit{0.1, 200, Unit::Percent, {.step = 1, .decimals = 1}};
+
 template <>
 struct Description<StretchLimits> {
-    static constexpr Number limit{0.1, 200, Unit::Percent, {.step = 1, .decimals = 1}};
     static constexpr const char* verb = QT_TRANSLATE_NOOP("Message", "Change the limits of %1");
 
     template <class V, class... S>
@@ -79,17 +80,17 @@ struct Description<StretchLimits> {
                  .label = QT_TRANSLATE_NOOP("Field", "Most along the grain"),
                  .meaning = "strain along the grain",
                  .verb = verb},
-                limit, s.along...);
+                strainLimit, s.along...);
         v.field({.key = "across",
                  .label = QT_TRANSLATE_NOOP("Field", "Most across"),
                  .meaning = "strain across the grain",
                  .verb = verb},
-                limit, s.across...);
+                strainLimit, s.across...);
         v.field({.key = "shear",
                  .label = QT_TRANSLATE_NOOP("Field", "Most shear"),
                  .meaning = "100 times the tangent of the angle by which threads leave the right angle",
                  .verb = verb},
-                limit, s.shear...);
+                strainLimit, s.shear...);
     }
 };
 

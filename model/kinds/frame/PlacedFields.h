@@ -10,19 +10,19 @@ namespace bolster {
 
 struct Cushion;
 
+inline constexpr Number placedScale{
+    0, 1e7, Unit::MillimetresPerUnit, {.step = 0.1, .decimals = 6, .least = 1e-6, .most = 1e6}, false};
+
 template <>
 struct Description<Placement> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field(
-            {.key = "scale",
-             .label = QT_TRANSLATE_NOOP("Field", "Scale"),
-             .meaning = "mm per unit of the file, > 0",
-             .verb = QT_TRANSLATE_NOOP("Message", "Scale %1")},
-            Number{
-                0, 1e7, Unit::MillimetresPerUnit, {.step = 0.1, .decimals = 6, .least = 1e-6, .most = 1e6}, false},
-            s.scale...);
+        v.field({.key = "scale",
+                 .label = QT_TRANSLATE_NOOP("Field", "Scale"),
+                 .meaning = "mm per unit of the file, > 0",
+                 .verb = QT_TRANSLATE_NOOP("Message", "Scale %1")},
+                placedScale, s.scale...);
         v.field({.key = "position",
                  .label = QT_TRANSLATE_NOOP("Field", "Position"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Move %1")},

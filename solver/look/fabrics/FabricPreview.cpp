@@ -18,7 +18,6 @@ namespace {
 using Vec = Eigen::Vector3f;
 using Shape = FabricPreviewOptions::Shape;
 
-constexpr float specular = 0.04f;
 constexpr float shapeSize = 0.94f; ///< of the picture
 
 /// Per pixel and direction: the maps are finer than the picture.
@@ -137,15 +136,15 @@ const Lamp rim(Vec(0.75f, 0.35f, -0.1f), shading::rimColor, 0.15f);
 Light shaded(const Cloth& cloth, const Vec& n, float sheen)
 {
     const float facing = std::clamp(n.z(), 0.03f, 1.f);
-    const Light fuzz = shading::fuzzOf({cloth.color, cloth.roughness, sheen, specular}, facing);
+    const Light fuzz = shading::fuzzOf({cloth.color, cloth.roughness, sheen, shading::clothSpecular}, facing);
     const float up = 2 * n.z() * n.y(); // of the eye's direction, reflected
     const Light room = shading::roomSeen(up, cloth.roughness);
     return key.color * (cloth.color * key.wrapped(n, 0.15f) + fuzz * key.wrapped(n, 0.5f) +
-                        0.04f * key.highlight(n, cloth.roughness)) +
+                        shading::clothSpecular * key.highlight(n, cloth.roughness)) +
            rim.color * (cloth.color * rim.wrapped(n, 0.1f) + fuzz * rim.wrapped(n, 0.5f) +
                         0.08f * rim.highlight(n, cloth.roughness)) +
            shading::skyLight(n.y()) * (cloth.color + fuzz) +
-           room * shading::reflected(specular, cloth.roughness, std::max(facing, 0.15f));
+           room * shading::reflected(shading::clothSpecular, cloth.roughness, std::max(facing, 0.15f));
 }
 
 /// The fabric as it lies on the shape.

@@ -30,6 +30,11 @@ inline float dot(const vec3& a, const vec3& b)
     return a.matrix().dot(b.matrix());
 }
 
+inline vec3 min(const vec3& a, const vec3& b)
+{
+    return a.min(b);
+}
+
 inline vec3 normalize(const vec3& a)
 {
     return a.matrix().normalized().array();

@@ -1,4 +1,20 @@
-// What frames are made of. Comes after studio.glsl, and is read by C++, too.
+// What covers and frames are made of. Comes after studio.glsl, and is read by C++, too.
+
+SHARED const float clothSpecular = 0.04f;
+SHARED const float bareRoughness = 0.62f, bareSheen = 0.12f; // of a cover whose fabric has no maps
+SHARED const float trimRoughness = 0.6f;                     // of threads and piping
+SHARED const float mapGamma = 2.2f;                          // maps of strain ... as light
+
+// The squares of a checker in a fabric's colour.
+SHARED vec3 lightSquare(vec3 color)
+{
+    return min(vec3(1.6f * color + 0.03f), vec3(1.0f, 1.0f, 1.0f));
+}
+
+SHARED vec3 darkSquare(vec3 color)
+{
+    return 0.85f * color;
+}
 
 // Rings around a wavy axis beside the piece: how many there are up to a place of its grain, mm.
 SHARED float woodRings(float x, float y, float z)
@@ -23,7 +39,7 @@ SHARED Cloth frameSurface(int kind, vec3 color, float dark)
     seen.color = color;
     seen.roughness = 0.5f;
     seen.sheen = 0.0f;
-    seen.specular = 0.04f;
+    seen.specular = clothSpecular;
     if (kind == 1) {
         seen.color = color * (1.0f - dark);
         seen.roughness = 0.42f;

@@ -12,6 +12,9 @@ SHARED const vec3 rimColor = vec3(0.30f, 0.32f, 0.37f);
 SHARED const vec3 lampColor = vec3(1.30f, 1.28f, 1.24f); // it shines in what is smooth
 SHARED const float keySize = 0.14f; // what the soft box adds to a highlight's width (alpha of GGX)
 SHARED const float rimSize = 0.12f;
+// Where they stand: to the right of the camera, and upwards, radians.
+SHARED const float keyAzimuth = 0.55f, keyElevation = 0.8f;
+SHARED const float rimAzimuth = -2.2f, rimElevation = 0.5f;
 
 // What a surface is like.
 struct Cloth {

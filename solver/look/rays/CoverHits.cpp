@@ -1,7 +1,8 @@
 #include "CoverHits.h"
 
 #include "Design.h"
-#include "Srgb.h"
+#include "LinearLight.h"
+#include "Shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@
 namespace bolster {
 
 namespace {
-
-constexpr float plainRoughness = 0.62f;
-constexpr float plainSheen = 0.12f;
 
 template <class T>
 T mixed(const std::vector<T>& values, const std::array<std::uint32_t, 3>& corners, const RayHit& hit)
@@ -35,21 +33,6 @@ Vec3f liftedOrigin(const ShadedPoint& point, const std::array<Vec3f, 3>& corners
 }
 
 } // namespace
-
-Vec3f linearColor(const std::string& color)
-{
-    const auto hex = [](char c) {
-        return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
-    };
-    if (color.size() != 7 || color[0] != '#' ||
-        std::any_of(color.begin() + 1, color.end(), [&](char c) { return hex(c) < 0; }))
-        return {0.5f, 0.5f, 0.5f};
-    Vec3f linear;
-    for (std::size_t i = 0; i < 3; ++i)
-        linear[static_cast<Eigen::Index>(i)] =
-            linearFromSrgb(static_cast<std::uint8_t>(16 * hex(color[1 + 2 * i]) + hex(color[2 + 2 * i])));
-    return linear;
-}
 
 void ShadedPoint::wear(const FabricSampler& maps, const ClothFrame& cloth, const Eigen::Matrix2f& toTile,
                        const Vec3f& behind, bool relief)
@@ -144,10 +127,11 @@ void CoverHits::takeLooks(const Scene& scene, std::size_t trianglesPerCoarse)
             m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_cloths.size());
         const auto look = std::ranges::find(scene.patches, range.patch, &Scene::PatchLook::patch);
         const Scene::PatchLook shown = look != scene.patches.end() ? *look : Scene::PatchLook{};
-        const Vec3f color = linearColor(shown.color);
-        Cloth cloth{m_checker ? Vec3f((1.6f * color.array() + 0.03f).min(1.f)) : color,
-                    m_checker ? Vec3f(0.85f * color) : color};
-        cloth.sheen = plainSheen;
+        const Light color = lightOf(shown.color);
+        Cloth cloth;
+        cloth.light = m_checker ? shading::lightSquare(color) : color;
+        cloth.dark = m_checker ? shading::darkSquare(color) : color;
+        cloth.sheen = shading::bareSheen;
         if (!m_checker && shown.maps && shown.maps->complete()) {
             auto& sampler = samplers[shown.maps];
             if (!sampler)
@@ -183,8 +167,8 @@ ShadedPoint CoverHits::at(const RayHit& hit, const Vec3f& direction, const Footp
     point.smooth = point.normal;
     point.shadowOrigin = liftedOrigin(point, corners, normals, weights);
 
-    point.roughness = plainRoughness;
-    point.specular = 0.04f;
+    point.roughness = shading::bareRoughness;
+    point.specular = shading::clothSpecular;
     const std::optional<TriangleFrame> triangle = TriangleFrame::of(corners, hit, direction, pixel);
     const auto pattern =
         triangle ? ClothFrame::of(*triangle, {m_pattern[ids[0]], m_pattern[ids[1]], m_pattern[ids[2]]}, hit)
@@ -211,7 +195,7 @@ void CoverHits::dress(const RayHit& hit, const std::optional<ClothFrame>& patter
     if (m_mapColors.empty())
         return;
     const Eigen::Vector4f map = mixed(m_mapColors, m_triangles[hit.triangle], hit);
-    point.color = (1 - map.w()) * point.color + map.w() * Vec3f(map.head<3>().array().pow(2.2f));
+    point.color = (1 - map.w()) * point.color + map.w() * Vec3f(map.head<3>().array().pow(shading::mapGamma));
 }
 
 /// The share of light squares under the pixel: the checker integrated over the pixel's bounding box in the

@@ -43,7 +43,7 @@ public:
 
 private:
     struct Cloth {
-        Vec3f light, dark; ///< without maps: of the checker
+        Vec3f light = Vec3f::Zero(), dark = Vec3f::Zero(); ///< without maps: of the checker
         std::shared_ptr<const FabricSampler> maps = nullptr;
         float sheen = 0;
         Eigen::Matrix2f toTile = Eigen::Matrix2f::Identity(); ///< turns the outline's frame into the maps'
@@ -67,8 +67,5 @@ private:
     bool m_checker;
     float m_checkerSize; ///< mm
 };
-
-/// "#rrggbb" to linear light; something visible for anything else.
-Vec3f linearColor(const std::string& color);
 
 } // namespace bolster

@@ -1,11 +1,13 @@
 #include "FrameHits.h"
 
+#include "LinearLight.h"
+
 namespace bolster {
 
 FrameHits::FrameHits(const Scene::FrameLook& frame, const Vec3& origin)
     : m_skin(frame.skin)
     , m_kind(frame.material.kind)
-    , m_color(linearColor(colorShown(frame.material)))
+    , m_color(lightOf(colorShown(frame.material)))
     , m_opacity(static_cast<float>(frame.opacity))
 {
     if (frame.mesh && !(m_skin && m_skin->placement == frame.placement))

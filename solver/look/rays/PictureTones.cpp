@@ -1,6 +1,6 @@
 #include "PictureTones.h"
 
-#include "CoverHits.h"
+#include "LinearLight.h"
 #include "Srgb.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ std::array<std::uint8_t, 4> displayed(const PixelLight& light, int x, int y)
 
 Vec3f lightDisplayedAs(const std::string& color)
 {
-    return linearColor(color).unaryExpr([](float shown) {
+    return lightOf(color).unaryExpr([](float shown) {
         const float over = (std::min(shown, 0.99f) - screenShoulder) / (1 - screenShoulder);
         return over < 0 ? shown : screenShoulder - (1 - screenShoulder) * std::log(1 - over);
     });

@@ -21,7 +21,6 @@ namespace bolster {
 
 namespace {
 
-constexpr int largestSide = 16384;
 constexpr float silhouette = 0.35f; ///< by how much what is see-through is denser where it turns away from the eye
 
 /// Runs work(0) to work(count - 1) on some threads; stops early when asked to.
@@ -276,7 +275,8 @@ PreviewImage PreviewRenderer::Prepared::render(const RayCamera& view, const Prev
                                                std::stop_token stop) const
 {
     PreviewImage image;
-    if (options.width < 1 || options.height < 1 || options.width > largestSide || options.height > largestSide)
+    if (options.width < 1 || options.height < 1 || options.width > largestPictureSide ||
+        options.height > largestPictureSide)
         return image;
     const int grid = std::clamp(static_cast<int>(std::sqrt(options.samples + 0.5)), 1, 16);
     const Job job{options, Lens(view, options.width, options.height, m_origin), StudioLight(view), grid};

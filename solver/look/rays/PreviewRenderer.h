@@ -39,6 +39,8 @@ struct PreviewImage {
     bool empty() const { return rgba.empty(); }
 };
 
+inline constexpr int largestPictureSide = 16384; ///< pixels
+
 struct PreviewOptions {
     int width = 1280;
     int height = 960;
@@ -60,7 +62,7 @@ public:
     PreviewRenderer(PreviewRenderer&&) noexcept;
     PreviewRenderer& operator=(PreviewRenderer&&) noexcept;
 
-    /// An empty image when cancelled, or when the size is not positive or over 16384 a side.
+    /// An empty image when cancelled, or when the size is not positive or over largestPictureSide.
     PreviewImage render(const RayCamera& view, const PreviewOptions& options, std::stop_token stop = {}) const;
 
 private:

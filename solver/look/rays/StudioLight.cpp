@@ -21,8 +21,8 @@ Vec3f horizontalDirection(double azimuth, double elevation)
 } // namespace
 
 StudioLight::StudioLight(const RayCamera& view)
-    : m_key(horizontalDirection(view.azimuth + 0.55, 0.8))
-    , m_rim(horizontalDirection(view.azimuth - 2.2, 0.5))
+    : m_key(horizontalDirection(view.azimuth + shading::keyAzimuth, shading::keyElevation))
+    , m_rim(horizontalDirection(view.azimuth + shading::rimAzimuth, shading::rimElevation))
 {
     m_keyRight = m_key.cross(Vec3f::UnitZ()).normalized();
     m_keyUp = m_keyRight.cross(m_key);

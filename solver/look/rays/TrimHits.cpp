@@ -1,5 +1,8 @@
 #include "TrimHits.h"
 
+#include "LinearLight.h"
+#include "Shading.h"
+
 #include <algorithm>
 
 namespace bolster {
@@ -11,7 +14,7 @@ TrimHits::TrimHits(TrimMeshPtr trims, const std::map<ElementId, FabricMapsPtr>& 
         m_points.push_back(p - origin.cast<float>());
     std::map<ElementId, std::shared_ptr<const FabricSampler>> samplers;
     for (const TrimMesh::Part& part : m_trims->parts) {
-        m_colors.push_back(linearColor(part.color));
+        m_colors.push_back(lightOf(part.color));
         const auto maps = fabrics.find(part.fabric);
         const bool textured = maps != fabrics.end() && maps->second && maps->second->complete();
         if (textured && !samplers[part.fabric])
@@ -45,8 +48,8 @@ ShadedPoint TrimHits::at(const RayHit& hit, const Vec3f& direction, const Footpr
     point.smooth = point.normal;
     point.shadowOrigin = point.position;
     point.color = m_colors[part];
-    point.roughness = 0.6f;
-    point.specular = 0.04f;
+    point.roughness = shading::trimRoughness;
+    point.specular = shading::clothSpecular;
     point.sheen = m_sheens[part];
     if (!m_maps[part])
         return point;

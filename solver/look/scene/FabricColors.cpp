@@ -1,6 +1,7 @@
 #include "FabricColors.h"
 
 #include "LinearLight.h"
+#include "Shading.h"
 
 namespace bolster {
 
@@ -12,7 +13,7 @@ std::string secondColorShown(const Fabric& fabric)
     const Light color = lightOf(fabric.color);
     switch (fabric.look.kind) {
     case Kind::Checker:
-        return textOf((1.6f * color + 0.03f).min(1.f));
+        return textOf(shading::lightSquare(color));
     case Kind::SmoothLeather:
     case Kind::GrainedLeather:
         return textOf(0.5f * color);

@@ -12,9 +12,8 @@ namespace bolster {
 
 namespace {
 
-constexpr double leastRadius = 5, mostRadius = 500; // mm
-constexpr double grows = 1.25;                      // with each key
-constexpr double apart = 0.3;                       // of the radius: stamps of a stroke
+constexpr double grows = 1.25; // with each key
+constexpr double apart = 0.3;  // of the radius: stamps of a stroke
 
 } // namespace
 

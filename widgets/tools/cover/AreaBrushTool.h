@@ -20,6 +20,7 @@ public:
         bool erases = false;
     };
     using Take = std::function<void(const Stamp&)>;
+    static constexpr double leastRadius = 5, mostRadius = 500; ///< mm
 
     AreaBrushTool(CoverToolContext& context, double radius, Take take);
 

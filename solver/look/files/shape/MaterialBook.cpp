@@ -1,7 +1,7 @@
 #include "MaterialBook.h"
 
 #include "BakeFabric.h"
-#include "CoverHits.h"
+#include "LinearLight.h"
 #include "Shading.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ const MaterialBook::Dressed& MaterialBook::dressed(ElementId id)
     const Fabric* const found = m_design.find<Fabric>(id);
     const Fabric fabric = found ? *found : Fabric{};
     made.material.name = fabric.name.empty() ? "Fabric" : fabric.name;
-    made.material.color = made.material.mean = linearColor(fabric.color);
+    made.material.color = made.material.mean = lightOf(fabric.color);
     const FabricMapsPtr maps = found && m_bake ? m_bake(id, fabric) : nullptr;
     if (!maps || !maps->complete())
         return made;
@@ -55,7 +55,7 @@ const MaterialBook::Dressed& MaterialBook::dressed(ElementId id)
     const std::string name = "fabric-" + std::to_string(number(id)) + (word.empty() ? "" : "-" + word);
     FabricPicturesOf pictures = fabricPictures(*maps, made.material.mean, name, m_kind);
     made.maps = maps;
-    made.material.mean = linearColor(meanColor(*maps));
+    made.material.mean = lightOf(meanColor(*maps));
     made.material.color = Eigen::Vector3f::Ones();
     made.material.roughness = pictures.rough;
     made.material.sheen = static_cast<float>(maps->sheen);
@@ -115,7 +115,7 @@ std::size_t MaterialBook::thread(const std::string& color)
 {
     ModelMaterial material;
     material.name = "Thread " + color;
-    material.color = material.mean = linearColor(color);
+    material.color = material.mean = lightOf(color);
     material.roughness = 0.6F;
     return add(std::move(material));
 }
@@ -124,7 +124,7 @@ std::size_t MaterialBook::frame(const FrameMaterial& kind)
 {
     constexpr float woodInTheMiddle = 0.12F; // of what its rings darken
     const bool metal = kind.kind == FrameMaterial::Kind::Metal;
-    const Eigen::Vector3f color = linearColor(colorShown(kind));
+    const Eigen::Vector3f color = lightOf(colorShown(kind));
     const shading::Cloth seen = shading::frameSurface(static_cast<int>(kind.kind), color.array(), woodInTheMiddle);
     ModelMaterial material;
     material.name = "Frame " + colorShown(kind);

@@ -1,0 +1,124 @@
+// `bolster flatten`, as a script calls it.
+#include "../model/TestFiles.h"
+#include "ProgramRun.h"
+#include "TestPaths.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace bolster {
+namespace {
+
+using Json = nlohmann::json;
+
+class FlattenTest : public TestFiles {
+protected:
+    void SetUp() override
+    {
+        // A seat and a back that stand on each other, 400 wide, 300 and 500 mm large; centimetres, y upwards.
+        write("chair.obj", "v 0 0 0\nv 40 0 0\nv 40 0 -30\nv 0 0 -30\nv 40 50 -30\nv 0 50 -30\n"
+                           "g Seat\nf 1 2 3 4\ng Back\nf 4 3 5 6\n");
+    }
+
+    ProgramRun flatten(const QString& file, const QStringList& more = {}) const
+    {
+        return callCommandLine(QStringList{"flatten", file, "--out", path("out.json")} + more);
+    }
+
+    Json made() const { return Json::parse(read("out.json")); }
+
+    std::size_t count(const std::string& kind) const
+    {
+        const Json design = made();
+        return static_cast<std::size_t>(std::ranges::count_if(
+            design["elements"], [&](const Json& element) { return element["kind"] == kind; }));
+    }
+
+    void expectRefused(const QStringList& more, const std::string& words, int code = 2) const
+    {
+        const ProgramRun run = flatten(path("chair.obj"), more);
+        EXPECT_EQ(run.exitCode, code) << more.join(' ').toStdString();
+        EXPECT_NE(run.err.find(words), std::string::npos) << more.join(' ').toStdString() << "\n" << run.err;
+        EXPECT_FALSE(QFile::exists(path("out.json")));
+    }
+};
+
+TEST_F(FlattenTest, GroupsBecomePatchesOfTheirNames)
+{
+    const ProgramRun run =
+        flatten(path("chair.obj"), {"--unit", "cm", "--up", "y", "--report", path("report.json")});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(count("patch"), 2u);
+    EXPECT_EQ(count("seam"), 1u);
+    const Json report = Json::parse(read("report.json"));
+    ASSERT_EQ(report["pieces"].size(), 2u);
+    EXPECT_EQ(report["pieces"][0]["name"], "Seat");
+    EXPECT_NEAR(report["pieces"][0]["area_mm2"], 400 * 300, 1);
+    EXPECT_NEAR(report["pieces"][1]["area_mm2"], 400 * 500, 1);
+    EXPECT_NEAR(report["seams"][0]["first_mm"], 400, 0.2);
+    EXPECT_EQ(callCommandLine({"check", path("out.json")}).exitCode, 0);
+    // What is there is never replaced.
+    const std::string kept = read("out.json");
+    EXPECT_EQ(flatten(path("chair.obj")).exitCode, 1);
+    EXPECT_EQ(read("out.json"), kept);
+}
+
+TEST_F(FlattenTest, BendsPartWhatGroupsDoNot)
+{
+    ASSERT_EQ(flatten(path("chair.obj"), {"--by", "angle:80"}).exitCode, 0);
+    EXPECT_EQ(count("patch"), 2u);
+    ASSERT_TRUE(QFile::remove(path("out.json")));
+    ASSERT_EQ(flatten(path("chair.obj"), {"--by", "angle:100"}).exitCode, 0);
+    EXPECT_EQ(count("patch"), 1u);
+}
+
+TEST_F(FlattenTest, FacesOfCadFilesAreParted)
+{
+    const QString seat = QString::fromStdString(test::dataFolder() + "/frames/two-faces.step");
+    ASSERT_EQ(flatten(seat, {"--by", "faces"}).exitCode, 0);
+    EXPECT_EQ(count("patch"), 2u);
+    EXPECT_EQ(count("seam"), 1u);
+    ASSERT_TRUE(QFile::remove(path("out.json")));
+    ASSERT_EQ(flatten(seat).exitCode, 0);
+    EXPECT_EQ(count("patch"), 1u) << "it is one part, and flat";
+    ASSERT_TRUE(QFile::remove(path("out.json")));
+    ASSERT_EQ(flatten(path("chair.obj"), {"--by", "faces"}).exitCode, 0) << "a mesh is cut where it bends";
+    EXPECT_EQ(count("patch"), 2u);
+}
+
+TEST_F(FlattenTest, AFileInInchesIsInInches)
+{
+    const QString part = QString::fromStdString(test::dataFolder() + "/frames/featuretype.STEP");
+    ASSERT_EQ(flatten(part, {"--by", "faces", "--report", path("report.json")}).exitCode, 0);
+    const Json pieces = Json::parse(read("report.json"))["pieces"];
+    EXPECT_EQ(pieces.size(), 96u) << "as many as it has faces";
+    for (const Json& piece : pieces)
+        EXPECT_GT(piece["area_mm2"], 20) << piece["name"];
+}
+
+TEST_F(FlattenTest, WrongWordsAreSaidBeforeAnythingIsDone)
+{
+    expectRefused({"--by", "colour"}, "--by is groups, faces or angle:DEG, not \"colour\"");
+    expectRefused({"--by", "angle:x"}, "the angle of --by");
+    expectRefused({"--fabric", "colour=1"}, "--fabric knows poisson, stiffness and bending");
+    expectRefused({"--grain", "left"}, "--grain is up, back, side or an angle");
+    expectRefused({"--along", path("missing.json")}, "missing.json");
+    expectRefused({"--report", path("nowhere/report.json")}, "nowhere", 1);
+}
+
+TEST_F(FlattenTest, WhatCannotBeLaidFlatIsSaid)
+{
+    write("box.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
+                     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const ProgramRun run = flatten(path("box.obj"));
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_NE(run.err.find("closed all around"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("--by angle:DEG"), std::string::npos) << run.err;
+    EXPECT_FALSE(QFile::exists(path("out.json")));
+}
+
+} // namespace
+} // namespace bolster
