@@ -427,6 +427,8 @@ void FormPatternWindow::say()
         QStringList lines{asSentence(translated(m_made->problem))};
         if (!m_bends->isChecked())
             lines << tr("A mark at \"where it bends by more than\" cuts it there, too.");
+        for (const Message& note : m_made->form.notes)
+            lines << translated(note);
         m_said->setText(lines.join('\n'));
         return;
     }

@@ -3,10 +3,12 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace bolster {
@@ -91,7 +93,37 @@ private:
             const Corners left = fewer(cornersOf(own), triangles / pieces, true);
             all.insert(all.end(), left.begin(), left.end());
         }
-        return all;
+        return withoutPairs(all);
+    }
+
+    /// Where the border between two pieces is straight, both may have left a corner of it out and filled what is
+    /// missing with a triangle without area: the same one from either side, and nothing without both.
+    static Corners withoutPairs(const Corners& corners)
+    {
+        struct Triangle {
+            std::array<std::uint32_t, 3> sorted;
+            bool turned; ///< its corners run the other way
+            std::size_t first;
+        };
+        std::vector<Triangle> triangles;
+        for (std::size_t t = 0; t < corners.size(); t += 3) {
+            const std::array<std::uint32_t, 3> as{corners[t], corners[t + 1], corners[t + 2]};
+            std::array<std::uint32_t, 3> sorted = as;
+            std::ranges::sort(sorted);
+            const auto least = static_cast<std::size_t>(std::ranges::min_element(as) - as.begin());
+            triangles.push_back({sorted, as[(least + 1) % 3] != sorted[1], t});
+        }
+        std::ranges::sort(triangles, {}, [](const Triangle& t) { return std::tuple(t.sorted, t.turned, t.first); });
+        std::vector<bool> gone(corners.size() / 3, false);
+        for (std::size_t k = 1; k < triangles.size(); ++k)
+            if (triangles[k].sorted == triangles[k - 1].sorted && triangles[k].turned != triangles[k - 1].turned)
+                gone[triangles[k].first / 3] = gone[triangles[k - 1].first / 3] = true;
+        Corners kept;
+        for (std::size_t t = 0; t < corners.size(); t += 3)
+            if (!gone[t / 3])
+                kept.insert(kept.end(), corners.begin() + static_cast<std::ptrdiff_t>(t),
+                            corners.begin() + static_cast<std::ptrdiff_t>(t) + 3);
+        return kept;
     }
 
     Corners fewer(Corners corners, std::size_t triangles, bool lockBorders)

@@ -28,6 +28,9 @@ constexpr double openWithin = 20;    // mm from its end on
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
+constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
+constexpr double mostTimes = 20;                 // as many samples as an edge of usual length has
+
 template <class Point>
 double turnAt(const Point& before, const Point& at, const Point& after)
 {
@@ -36,8 +39,20 @@ double turnAt(const Point& before, const Point& at, const Point& after)
     return both > 0 ? std::acos(std::clamp(in.dot(out) / both, -1.0, 1.0)) * 180 / std::numbers::pi : 0;
 }
 
+/// Of a row; `at`: how far along its points are.
+double medianEdge(const std::vector<double>& at)
+{
+    std::vector<double> lengths;
+    for (std::size_t i = 1; i < at.size(); ++i)
+        lengths.push_back(at[i] - at[i - 1]);
+    const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+    std::ranges::nth_element(lengths, middle);
+    return middle == lengths.end() ? 0 : *middle;
+}
+
 /// A smooth row of points between corners, and more places on the curve through them: cubic Hermite pieces, whose
-/// tangents are those of the parabolas through three neighbours.
+/// tangents are those of the parabolas through three neighbours. Where an edge is much longer than the other one
+/// the row turns from a line into a bend: the line stays straight.
 template <class Point>
 CurveSamples smoothSamples(const std::vector<Point>& row)
 {
@@ -51,7 +66,10 @@ CurveSamples smoothSamples(const std::vector<Point>& row)
     std::vector<Point> tangents(count);
     for (std::size_t i = 1; i + 1 < count; ++i) {
         const double before = at[i] - at[i - 1], after = at[i + 1] - at[i];
-        tangents[i] = (slope(i - 1) * after + slope(i) * before) / std::max(before + after, 1e-9);
+        const Point ofParabola = (slope(i - 1) * after + slope(i) * before) / std::max(before + after, 1e-9);
+        const double times = std::max(before, after) / std::max(std::min(before, after), 1e-9);
+        const double straight = std::clamp((times - bendsAlike) / (muchLonger - bendsAlike), 0.0, 1.0);
+        tangents[i] = (1 - straight) * ofParabola + straight * (before > after ? slope(i - 1) : slope(i));
     }
     tangents.front() = count > 2 ? Point(2 * slope(0) - tangents[1]) : slope(0);
     tangents.back() = count > 2 ? Point(2 * slope(count - 2) - tangents[count - 2]) : slope(0);
@@ -62,11 +80,14 @@ CurveSamples smoothSamples(const std::vector<Point>& row)
         samples.points.push_back(place);
         samples.parameters.push_back(parameter);
     };
+    const double usual = medianEdge(at);
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const double length = at[i + 1] - at[i];
         add(row[i], at[i]);
-        for (int k = 1; k < samplesOfEdge; ++k) {
-            const double t = static_cast<double>(k) / samplesOfEdge;
+        const double times = usual > 0 ? std::clamp(length / usual, 1.0, mostTimes) : 1;
+        const int samplesHere = static_cast<int>(samplesOfEdge * times); // between them a curve may go anywhere
+        for (int k = 1; k < samplesHere; ++k) {
+            const double t = static_cast<double>(k) / samplesHere;
             const double h01 = t * t * (3 - 2 * t), h10 = t * (1 - t) * (1 - t), h11 = -t * t * (1 - t);
             add((1 - h01) * row[i] + h01 * row[i + 1] + length * (h10 * tangents[i] + h11 * tangents[i + 1]),
                 at[i] + t * length);

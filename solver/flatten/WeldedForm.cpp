@@ -134,6 +134,32 @@ private:
     Tree m_tree;
 };
 
+/// Of triangles with the same corners the first one stays.
+void takeOnce(WeldedForm& form)
+{
+    std::vector<std::pair<WeldedForm::Corners, std::size_t>> sorted;
+    sorted.reserve(form.triangles.size());
+    for (std::size_t t = 0; t < form.triangles.size(); ++t) {
+        sorted.emplace_back(form.triangles[t], t);
+        std::ranges::sort(sorted.back().first);
+    }
+    std::ranges::sort(sorted);
+    std::vector<bool> again(form.triangles.size(), false);
+    for (std::size_t k = 1; k < sorted.size(); ++k)
+        again[sorted[k].second] = sorted[k].first == sorted[k - 1].first;
+    form.twice = static_cast<int>(std::ranges::count(again, true));
+    if (form.twice == 0)
+        return;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < again.size(); ++t)
+        if (!again[t]) {
+            form.triangles[kept] = form.triangles[t];
+            form.part[kept++] = form.part[t];
+        }
+    form.triangles.resize(kept);
+    form.part.resize(kept);
+}
+
 } // namespace
 
 WeldedForm weld(const TriangleMesh& mesh)
@@ -165,6 +191,7 @@ WeldedForm weld(const TriangleMesh& mesh)
         welded.names.push_back(there.name);
     if (welded.names.empty())
         welded.names.emplace_back();
+    takeOnce(welded);
     return welded;
 }
 
@@ -174,6 +201,10 @@ void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_to
     if (stop.stop_requested())
         return;
     const Turning turning(form, halves);
+    if (form.twice > 0)
+        notes.push_back(
+            {QT_TRANSLATE_NOOP("Message", "%1 faces of the form lie where another one lies, and are left out"),
+             {std::to_string(form.twice)}});
     if (turning.oneSided)
         notes.push_back({QT_TRANSLATE_NOOP("Message", "The form has one side only, as a twisted band: it is "
                                                       "left open where its outside meets its inside"),

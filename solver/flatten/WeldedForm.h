@@ -21,6 +21,7 @@ struct WeldedForm {
     std::vector<Corners> triangles;
     std::vector<int> part;
     std::vector<std::string> names;
+    int twice = 0; ///< triangles that lay where another one does, and are left out
 };
 
 WeldedForm weld(const TriangleMesh& mesh);

@@ -223,32 +223,23 @@ private:
         return true;
     }
 
-    /// Rounds until they lead no farther: with derivatives from few triangles, which cost little, and where these
-    /// are not like many also from many.
+    /// Rounds until they lead no farther.
     bool improve(double edge)
     {
         const auto cover = coverOf(m_result.design, edge);
         if (!cover || m_stop.stop_requested())
             return false;
-        const bool beginsWithFew = isAboutPlaces() && m_fewEdge > edge && !m_fewLeadElsewhere;
-        if (beginsWithFew && !improve(*cover, edge, m_fewEdge))
-            return false;
-        return m_fewAreLike || improve(*cover, edge, edge);
-    }
-
-    bool improve(WarmCover& cover, double edge, double edgeOfDerivatives)
-    {
-        CoarseDerivatives derivatives({m_result.design, m_input.files}, orderFor(edgeOfDerivatives),
+        CoarseDerivatives derivatives({m_result.design, m_input.files}, orderFor(m_fewAreLike ? m_fewEdge : edge),
                                       m_order.threads, m_stop);
         if (!derivatives.problem().empty())
             return fail(derivatives.problem());
         double damping = 1e-3;
         for (int round = 0; round < m_order.mostRounds; ++round) {
             // It may be where the last try has left it.
-            if (m_stop.stop_requested() || !cover.follow(m_result.design, m_stop))
+            if (m_stop.stop_requested() || !cover->follow(m_result.design, m_stop))
                 return false;
-            report(cover, edge, static_cast<double>(round) / m_order.mostRounds);
-            const Outcome outcome = step(cover, derivatives, damping, round);
+            report(*cover, edge, static_cast<double>(round) / m_order.mostRounds);
+            const Outcome outcome = step(*cover, derivatives, damping, round);
             if (!m_result.reason.empty())
                 return false;
             if (outcome != Outcome::Better)
@@ -278,8 +269,7 @@ private:
                 m_result.jumped = m_result.jumped || !expected;
             if (expected || round + 1 == mostVerifications)
                 break;
-            m_fewAreLike = false;
-            m_fewLeadElsewhere = true;
+            m_fewAreLike = false; // they have led elsewhere
             if (!improve(edge))
                 break;
         }
@@ -465,8 +455,7 @@ private:
     int m_stage = 0, m_stages = 1;
     double m_fewEdge = 0;      // mm, of the first triangles
     bool m_fewAreLike = false; // covers on them move as those on more triangles do
-    bool m_fewLeadElsewhere = false;
-    double m_told = 0; // share of the work
+    double m_told = 0;         // share of the work
 };
 
 } // namespace

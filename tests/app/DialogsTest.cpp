@@ -20,6 +20,7 @@
 #include <QLineEdit>
 #include <QPrintDialog>
 #include <QProgressDialog>
+#include <QSpinBox>
 #include <QThread>
 #include <QToolTip>
 #include <QUrl>
@@ -297,6 +298,14 @@ TEST_F(DialogsTest, TheFirstClickIntoANumberTakesAllOfItTheSecondPlacesTheCaret)
     EXPECT_FALSE(line->hasSelectedText());
 }
 
+/// Its picture takes less time.
+void makeSmall(const RenderDialog& dialog)
+{
+    for (auto* box : dialog.findChildren<QSpinBox*>())
+        if (box->accessibleName() == "Width" || box->accessibleName() == "Height")
+            box->setValue(160);
+}
+
 TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
 {
     ASSERT_TRUE(open(sample("trapezoid")));
@@ -315,6 +324,7 @@ TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
     EXPECT_EQ(files->selectedFiles(), QStringList{m_folder.filePath("my.sofa.png")});
     files->reject();
     const QString path = m_folder.filePath(QStringLiteral("a & b.png"));
+    makeSmall(*dialog);
     dialog->renderTo(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog->rendering(); }, 60000));
     const auto labels = dialog->findChildren<QLabel*>();
@@ -434,6 +444,7 @@ TEST_F(DialogsTest, AFinishedPictureLeavesNothingToCancel)
         return false;
     };
     EXPECT_FALSE(has(QStringLiteral("Cancel")));
+    makeSmall(*dialog);
     dialog->renderTo(m_folder.filePath(QStringLiteral("picture.png")));
     EXPECT_TRUE(has(QStringLiteral("Cancel")));
     EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog->rendering(); }, 60000));

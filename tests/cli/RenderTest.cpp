@@ -24,7 +24,7 @@ Json dressedHammock()
 {
     return Json::parse(R"({"format": "bolster-design", "version": 1, "unit": "mm",
         "settings": {"edge_length": 25}, "elements": [
-        {"id": 1, "kind": "fabric", "name": "Leather", "look": {"kind": "smooth_leather"}},
+        {"id": 1, "kind": "fabric", "name": "Twill", "look": {"kind": "woven"}},
         {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1,
          "outline": {"degree": 1, "closed": true, "points": [[0,0],[300,0],[300,300],[0,300]]}},
         {"id": 3, "kind": "fixation_curve", "name": "Front rail",

@@ -174,5 +174,22 @@ TEST(Flatten, SeamsThatHardlyBendAreRounded)
     EXPECT_EQ(edge.design.find<Seam>(edge.seams[0].seam)->continuity, Continuity::C0);
 }
 
+/// A plate of few triangles: a long straight edge goes on in short ones that bend by some 15 degrees each.
+TEST(Flatten, ALongEdgeBesideShortOnesStaysStraight)
+{
+    TriangleMesh plate;
+    plate.points = {{0, 0, 0}, {700, 0, 0}, {730, 8, 0}, {755, 22, 0}, {770, 100, 0}, {0, 100, 0}};
+    plate.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    const Form form = cutForm(plate, {});
+    ASSERT_EQ(form.pieces.size(), 1U);
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    const auto* patch = made.design.find<Patch>(made.patches.at(0));
+    ASSERT_TRUE(patch);
+    EXPECT_NEAR(std::abs(patch->outline.signedArea()), 75590, 0.005 * 75590);
+    const Box2 box = patch->outline.boundingBox();
+    EXPECT_NEAR(box.sizes().maxCoeff(), 770, 3);
+    EXPECT_NEAR(box.sizes().minCoeff(), 100, 3);
+}
+
 } // namespace
 } // namespace bolster::test

@@ -111,10 +111,12 @@ void CoverOutputs::protectInputs(const QString& designPath, const Design& design
     m_files.protectInputs(designPath, design);
 }
 
-int CoverOutputs::write(const QString& designPath, const OpenedDesign& opened, Interrupt& interrupt,
+int CoverOutputs::write(const QString& designPath, const OpenedDesign& opened, bool lenient, Interrupt& interrupt,
                         const std::function<bool()>& writeOthers) const
 {
-    const SolveResult solved = solveOpened(opened, {}, interrupt.token());
+    SolveOptions options;
+    options.lenient = lenient;
+    const SolveResult solved = solveOpened(opened, options, interrupt.token());
     printNewFindings(solved, opened.problems);
     if (!solved.surface)
         return solved.status == SolveResult::Status::Failed && !solved.errors.empty() ? badInput : otherFailure;

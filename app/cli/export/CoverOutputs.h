@@ -24,7 +24,7 @@ public:
     bool canBeWritten() const { return m_files.canBeWritten(); }
     /// Solves, and writes all that is wanted, with a line about each. `writeOthers` comes first, when everything
     /// has been made, and returns whether it was done. Returns the exit code.
-    int write(const QString& designPath, const OpenedDesign& opened, Interrupt& interrupt,
+    int write(const QString& designPath, const OpenedDesign& opened, bool lenient, Interrupt& interrupt,
               const std::function<bool()>& writeOthers) const;
 
 private:

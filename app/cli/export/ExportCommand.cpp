@@ -312,7 +312,7 @@ int exportPattern(std::span<const std::string> words)
     if (!covers.canBeWritten() || !writable)
         return otherFailure;
     if (files.empty())
-        return covers.write(path, opened, interrupt, [] { return true; });
+        return covers.write(path, opened, order.lenient, interrupt, [] { return true; });
     const std::optional<Design> design = exportedDesign(opened, order.lenient);
     if (!design)
         return badInput;
@@ -342,7 +342,7 @@ int exportPattern(std::span<const std::string> words)
         return written;
     };
     if (!covers.empty())
-        return covers.write(path, opened, interrupt, write);
+        return covers.write(path, opened, order.lenient, interrupt, write);
     interrupt.beginWriting();
     if (interrupt.token().stop_requested())
         return interrupted();

@@ -186,6 +186,17 @@ nlohmann::ordered_json reportOf(const Form& form, const std::vector<FlatPiece>& 
     return {{"pieces", std::move(pieces)}, {"seams", std::move(seams)}};
 }
 
+/// mm^2
+double formArea(const Form& form, const FormPiece& piece)
+{
+    double area = 0;
+    for (const auto& [a, b, c] : piece.triangles) {
+        const auto at = [&](int vertex) { return form.points[piece.points[vertex]]; };
+        area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
+    }
+    return area;
+}
+
 void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made)
 {
     for (std::size_t p = 0; p < flat.size(); ++p) {
@@ -199,6 +210,13 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
         line.append(numberText(100 * flat[p].strainMost, 2)).append(" % at most");
         printResult(line);
     }
+    double all = 0, leftOut = 0;
+    for (std::size_t p = 0; p < flat.size(); ++p) {
+        all += formArea(form, form.pieces[p]);
+        leftOut += made.patches[p] == noElement ? formArea(form, form.pieces[p]) : 0;
+    }
+    if (leftOut > 0)
+        printError("warning: " + numberText(100 * leftOut / all, 3) + " % of the form's area are left out");
     double widest = 0;
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));

@@ -21,6 +21,13 @@ std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     return x ^ (x >> 16) ^ (y << 1);
 }
 
+/// Of what an int holds. (std::floor calls a function where nobody may ask for SSE4.1.)
+int floored(float x)
+{
+    const int whole = static_cast<int>(x);
+    return whole - static_cast<int>(static_cast<float>(whole) > x);
+}
+
 int wrapped(int i, int period)
 {
     if (0 <= i && i < period)
@@ -54,10 +61,10 @@ float randomAt(int x, int y, std::uint32_t seed)
 float noiseAt(const Spot& at, Eigen::Vector2i period, std::uint32_t seed)
 {
     period = period.cwiseMax(1);
-    const float fx = std::floor(at.x()), fy = std::floor(at.y());
-    const int x = wrapped(static_cast<int>(fx), period.x()), y = wrapped(static_cast<int>(fy), period.y());
+    const int left = floored(at.x()), below = floored(at.y());
+    const int x = wrapped(left, period.x()), y = wrapped(below, period.y());
     const int right = x + 1 == period.x() ? 0 : x + 1, up = y + 1 == period.y() ? 0 : y + 1;
-    const Spot t(at.x() - fx, at.y() - fy);
+    const Spot t(at.x() - static_cast<float>(left), at.y() - static_cast<float>(below));
     const float a = slope(x, y, t, seed), b = slope(right, y, t - Spot(1, 0), seed);
     const float c = slope(x, up, t - Spot(0, 1), seed), d = slope(right, up, t - Spot(1, 1), seed);
     const float ex = eased(t.x()), ey = eased(t.y());
@@ -80,7 +87,7 @@ float fractalAt(const Spot& at, Eigen::Vector2i period, int octaves, std::uint32
 Cell cellAt(const Spot& at, int period, float jitter, std::uint32_t seed)
 {
     period = std::max(1, period);
-    const int x0 = static_cast<int>(std::floor(at.x())), y0 = static_cast<int>(std::floor(at.y()));
+    const int x0 = floored(at.x()), y0 = floored(at.y());
     float nearest2 = 81, second2 = 81;
     Cell cell;
     for (int y = y0 - 1; y <= y0 + 1; ++y)
