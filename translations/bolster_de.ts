@@ -5960,6 +5960,10 @@
         <source>the usual value is used instead</source>
         <translation>stattdessen gilt der übliche Wert</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>%1 Flächen der Form liegen da, wo schon eine andere liegt, und werden weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

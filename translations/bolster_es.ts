@@ -5960,6 +5960,10 @@
         <source>the usual value is used instead</source>
         <translation>en su lugar se usa el valor habitual</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>%1 caras de la forma están donde ya hay otra y se omiten</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

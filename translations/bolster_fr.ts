@@ -5960,6 +5960,10 @@
         <source>the usual value is used instead</source>
         <translation>la valeur habituelle est utilisée à la place</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>%1 faces de la forme se trouvent là où il y en a déjà une autre, et sont omises</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

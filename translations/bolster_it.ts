@@ -5960,6 +5960,10 @@
         <source>the usual value is used instead</source>
         <translation>al suo posto si usa il valore abituale</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>%1 facce della forma si trovano dove ce n'è già un'altra e sono tralasciate</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5956,6 +5956,10 @@
         <source>the usual value is used instead</source>
         <translation>代わりに通常の値が使われます</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>形状の面 %1 枚は別の面と重なっているため除かれました</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

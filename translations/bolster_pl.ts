@@ -5964,6 +5964,10 @@
         <source>the usual value is used instead</source>
         <translation>zamiast tego użyto zwykłej wartości</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>%1 ścian bryły leży w miejscu innej ściany; zostały pominięte</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5956,6 +5956,10 @@
         <source>the usual value is used instead</source>
         <translation>改用通常的值</translation>
     </message>
+    <message>
+        <source>%1 faces of the form lie where another one lies, and are left out</source>
+        <translation>该形状有 %1 个面与其他面重合，已略去</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -290,6 +290,8 @@ void FormPatternWindow::chooseFile()
 
 void FormPatternWindow::formChosen()
 {
+    if (m_form->currentData().toString() == "cover")
+        tickLines(false); // what holds the cover lies along its borders
     m_mesh = mesh();
     m_faces->setVisible(!cadFile().isEmpty());
     ask(false);

@@ -57,6 +57,26 @@ bool stepIsWhole(std::string_view bytes)
            tail.find("END-ISO-10303-21") != std::string_view::npos;
 }
 
+/// What stands for a number in it, outside of quotes, is one: of NAN and INF the library makes curves that its mesher
+/// divides for ever.
+bool stepHasNumbers(std::string_view bytes)
+{
+    bool quoted = false;
+    char before = 0; // the last one that is no space and no sign
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const char c = bytes[i];
+        if (c == '\'')
+            quoted = !quoted;
+        if (quoted || c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '+' || c == '-')
+            continue;
+        const std::string_view word = bytes.substr(i, 3);
+        if ((before == '(' || before == ',') && (word == "NAN" || word == "nan" || word == "INF" || word == "inf"))
+            return false;
+        before = c;
+    }
+    return true;
+}
+
 /// The last line, of 80 characters, is that of the terminate section.
 bool igesIsWhole(std::string_view bytes)
 {
@@ -108,7 +128,7 @@ double igesUnit(int flag)
 
 void readStep(std::string_view bytes, AssemblyWriter& writer, CadDocument& read)
 {
-    if (!stepIsWhole(bytes))
+    if (!stepIsWhole(bytes) || !stepHasNumbers(bytes))
         throw AssemblyRefused{};
     STEPCAFControl_Reader reader;
     reader.SetLayerMode(false);

@@ -93,12 +93,12 @@ private:
             const Corners left = fewer(cornersOf(own), triangles / pieces, true);
             all.insert(all.end(), left.begin(), left.end());
         }
-        return withoutPairs(all);
+        return all;
     }
 
-    /// Where the border between two pieces is straight, both may have left a corner of it out and filled what is
-    /// missing with a triangle without area: the same one from either side, and nothing without both.
-    static Corners withoutPairs(const Corners& corners)
+    /// The library leaves a fin here and there: two triangles of the same corners, one from either side, which hang
+    /// on one edge of the others. (Where there are many, that is how the mesh is: each face has its other side.)
+    static Corners withoutFins(const Corners& corners)
     {
         struct Triangle {
             std::array<std::uint32_t, 3> sorted;
@@ -115,9 +115,14 @@ private:
         }
         std::ranges::sort(triangles, {}, [](const Triangle& t) { return std::tuple(t.sorted, t.turned, t.first); });
         std::vector<bool> gone(corners.size() / 3, false);
+        std::size_t pairs = 0;
         for (std::size_t k = 1; k < triangles.size(); ++k)
-            if (triangles[k].sorted == triangles[k - 1].sorted && triangles[k].turned != triangles[k - 1].turned)
+            if (triangles[k].sorted == triangles[k - 1].sorted && triangles[k].turned != triangles[k - 1].turned) {
                 gone[triangles[k].first / 3] = gone[triangles[k - 1].first / 3] = true;
+                ++pairs;
+            }
+        if (pairs == 0 || pairs > corners.size() / 3 / 100)
+            return corners;
         Corners kept;
         for (std::size_t t = 0; t < corners.size(); t += 3)
             if (!gone[t / 3])
@@ -144,7 +149,7 @@ private:
         for (const std::uint32_t point : m_points)
             m_local[point] = notTaken;
         m_points.clear();
-        return kept;
+        return withoutFins(kept);
     }
 
     /// By the numbers of the points among those that are used.

@@ -5,6 +5,8 @@
 #include "CadFiles.h"
 #include "TestPaths.h"
 
+#include <QFile>
+
 #include <cmath>
 #include <numbers>
 
@@ -144,6 +146,19 @@ TEST_F(CadImportTest, ReadsARealPartInInches)
     EXPECT_NEAR(*assembly->said.millimetresPerUnit, 25.4, 1e-9);
     const Vec3 size = meshOf(*assembly, [](std::uint32_t) { return true; }).boundingBox().sizes();
     EXPECT_TRUE(size.isApprox(Vec3(5, 2.5, 1.375), 1e-3)) << size.transpose();
+}
+
+TEST_F(CadImportTest, WhatIsNoNumberIsRefusedAtOnce)
+{
+    QFile file(QString::fromStdString(test::dataFolder() + "/frames/two-faces.step"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    QByteArray step = file.readAll();
+    step.replace("Seat", "Seat (NAN, inf)");
+    EXPECT_TRUE(importAssembly(write("named.step", step.toStdString())).assembly) << "in quotes it is a name";
+    step.replace("(300.,", "( -NAN ,");
+    const ImportedAssembly imported = importAssembly(write("nan.step", step.toStdString()));
+    EXPECT_FALSE(imported.assembly);
+    EXPECT_NE(imported.problem.english().find("nan.step"), std::string::npos);
 }
 
 TEST_F(CadImportTest, ReadsIges)

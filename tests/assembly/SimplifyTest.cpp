@@ -104,6 +104,30 @@ TEST(Simplify, VeryLargeMeshesToo)
     EXPECT_TRUE(isClosed(half.mesh));
 }
 
+TEST(Simplify, LeavesHardlyAFin)
+{
+    constexpr std::uint32_t cells = 1000;
+    TriangleMesh dome;
+    for (std::uint32_t row = 0; row <= cells; ++row)
+        for (std::uint32_t column = 0; column <= cells; ++column) {
+            const double x = 0.2 * column, y = 0.2 * row;
+            dome.points.emplace_back(x, y, 60 - ((x - 100) * (x - 100) + (y - 100) * (y - 100)) / 400);
+        }
+    const auto at = [](std::uint32_t row, std::uint32_t column) { return row * (cells + 1) + column; };
+    for (std::uint32_t row = 0; row < cells; ++row)
+        for (std::uint32_t column = 0; column < cells; ++column) {
+            dome.triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
+            dome.triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
+        }
+    dome.parts = {{"Dome", 0, static_cast<std::uint32_t>(dome.triangles.size())}};
+    std::vector<std::array<int, 3>> corners;
+    for (const auto& [a, b, c] : simplified(dome, {}, 300'000).mesh.triangles)
+        corners.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+    int crowded = 0;
+    eachEdge(halfEdges(corners), [&](const HalfEdge* first, const HalfEdge* last) { crowded += last - first > 2; });
+    EXPECT_LE(crowded, 10) << "the library leaves some fifty";
+}
+
 TEST(Simplify, LeavesOutWhatIsNotWanted)
 {
     const SimplifiedMesh south = simplified(ball(40), {false, true}, 500);
