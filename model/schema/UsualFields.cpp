@@ -42,7 +42,8 @@ public:
     }
     void field(const Field& f, const FileName&, std::string& value, const std::string& usual)
     {
-        m_withoutFile = setBack(f, value, usual) || m_withoutFile;
+        if (!m_prefix.empty()) // an element that is of a file is nothing without it
+            m_withoutFile = setBack(f, value, usual) || m_withoutFile;
     }
     template <class T>
     void group(const Field& f, T& value, const T&)
@@ -79,7 +80,7 @@ public:
     {}
 
 private:
-    static bool shapesNothing(const Field& f) { return f.cost <= SolveCost::Republish; }
+    static bool shapesNothing(const Field& f) { return f.cost == SolveCost::Nothing; }
 
     UsualWalker inner(const Field& f) const { return {m_wrong, m_mended, m_prefix + f.key + "."}; }
 

@@ -159,6 +159,9 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& argument
         place(cuts.edges.emplace_back(edge.points));
     TriangleMesh mesh = *imported.mesh;
     place(mesh.points);
+    const Vec3 size = mesh.boundingBox().sizes();
+    printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
+                numberText(size.z(), 3) + " mm large");
     ReadForm read{cutForm(mesh, cuts, stop)};
     printWarnings(read.form.notes);
     if (read.form.problem.empty())
@@ -197,6 +200,12 @@ double formArea(const Form& form, const FormPiece& piece)
     return area;
 }
 
+/// Without what is rounding alone.
+std::string percent(double strain)
+{
+    return numberText(strain < 1e-6 ? 0 : 100 * strain, 2);
+}
+
 void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made)
 {
     for (std::size_t p = 0; p < flat.size(); ++p) {
@@ -206,8 +215,8 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
             continue;
         }
         line.append(": ").append(numberText(flat[p].area / 1e6, 3)).append(" m2, strain ");
-        line.append(numberText(100 * flat[p].strainRms, 2)).append(" % rms, ");
-        line.append(numberText(100 * flat[p].strainMost, 2)).append(" % at most");
+        line.append(percent(flat[p].strainRms)).append(" % rms, ");
+        line.append(percent(flat[p].strainMost)).append(" % at most");
         printResult(line);
     }
     double all = 0, leftOut = 0;
@@ -221,7 +230,7 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
     printResult(counted(static_cast<std::int64_t>(made.seams.size()), "seam") + ", whose sides differ by " +
-                numberText(widest, 2) + " mm at most");
+                numberText(widest < 1e-6 ? 0 : widest, 2) + " mm at most");
 }
 
 bool write(const QString& path, const std::string& text)
