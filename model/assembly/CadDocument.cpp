@@ -57,8 +57,8 @@ bool stepIsWhole(std::string_view bytes)
            tail.find("END-ISO-10303-21") != std::string_view::npos;
 }
 
-/// What stands for a number in it, outside of quotes, is one: of NAN and INF the library makes curves that its mesher
-/// divides for ever.
+/// What stands for a number in it, outside of quotes, is one: of NAN and INF the library makes curves that its
+/// mesher divides for ever.
 bool stepHasNumbers(std::string_view bytes)
 {
     bool quoted = false;
@@ -69,8 +69,11 @@ bool stepHasNumbers(std::string_view bytes)
             quoted = !quoted;
         if (quoted || c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '+' || c == '-')
             continue;
-        const std::string_view word = bytes.substr(i, 3);
-        if ((before == '(' || before == ',') && (word == "NAN" || word == "nan" || word == "INF" || word == "inf"))
+        const std::string_view word = bytes.substr(i, 4); // with what ends it: no name such as INFORMATION_RIGHT
+        const bool ends = word.size() == 4 && (word[3] == ',' || word[3] == ')' || word[3] == ' ');
+        const std::string_view begin = word.substr(0, 3);
+        if ((before == '(' || before == ',') && ends &&
+            (begin == "NAN" || begin == "nan" || begin == "INF" || begin == "inf"))
             return false;
         before = c;
     }

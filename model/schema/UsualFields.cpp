@@ -107,7 +107,7 @@ ElementPtr withUsualFields(const Element& element, const std::vector<std::string
 {
     std::vector<std::string> wrong = fields;
     std::ranges::sort(wrong);
-    wrong.erase(std::ranges::unique(wrong).begin(), wrong.end());
+    wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
     Element mended = element;
     std::size_t count = 0;
     UsualWalker walker(wrong, count);

@@ -153,7 +153,7 @@ TEST_F(CadImportTest, WhatIsNoNumberIsRefusedAtOnce)
     QFile file(QString::fromStdString(test::dataFolder() + "/frames/two-faces.step"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     QByteArray step = file.readAll();
-    step.replace("Seat", "Seat (NAN, inf)");
+    step.replace("'Seat'", "'Seat (NAN, inf)'");
     EXPECT_TRUE(importAssembly(write("named.step", step.toStdString())).assembly) << "in quotes it is a name";
     step.replace("(300.,", "( -NAN ,");
     const ImportedAssembly imported = importAssembly(write("nan.step", step.toStdString()));
