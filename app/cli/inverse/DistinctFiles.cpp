@@ -1,6 +1,8 @@
 #include "DistinctFiles.h"
 
 #include "Arguments.h"
+#include "Output.h"
+#include "WholeFile.h"
 
 #include <QFileInfo>
 
@@ -32,6 +34,16 @@ void expectDistinct(const QStringList& inputs, const QStringList& outputs)
             throw UsageError("\"" + output.toStdString() + "\" is read, or written twice: choose another name");
         taken << placeOf(output);
     }
+}
+
+bool writeAndSay(const QString& path, const std::string& text)
+{
+    if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {
+        printError("error: " + problem.english());
+        return false;
+    }
+    printResult("wrote " + path.toStdString());
+    return true;
 }
 
 } // namespace bolster::cli

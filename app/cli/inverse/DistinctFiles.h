@@ -1,12 +1,17 @@
-// Outputs that are neither inputs nor each other.
+// Outputs that are neither inputs nor each other, and how texts become them.
 #pragma once
 
 #include <QStringList>
+
+#include <string>
 
 namespace bolster::cli {
 
 /// Throws UsageError when two of these outputs are one file, or when one of them is an input, also through links.
 /// Empty paths are none.
 void expectDistinct(const QStringList& inputs, const QStringList& outputs);
+
+/// Whole or not at all, with a line that says which. False when it cannot be written.
+bool writeAndSay(const QString& path, const std::string& text);
 
 } // namespace bolster::cli

@@ -6,7 +6,6 @@
 #include "ProgressLine.h"
 #include "Solving.h"
 #include "Subcommands.h"
-#include "WholeFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -178,11 +177,7 @@ int explain(std::span<const std::string> words)
     if (report.isEmpty())
         return done;
     interrupt.beginWriting();
-    if (const Message problem = replaceWholeFile(report, explainReport(found, finder->causes()).dump(1) + "\n");
-        !problem.empty())
-        return explainFailed(problem.english());
-    printResult("wrote " + report.toStdString());
-    return done;
+    return writeAndSay(report, explainReport(found, finder->causes()).dump(1) + "\n") ? done : otherFailure;
 }
 
 } // namespace bolster::cli

@@ -9,7 +9,6 @@
 #include "ProgressLine.h"
 #include "Solving.h"
 #include "Subcommands.h"
-#include "WholeFile.h"
 
 #include <QFileInfo>
 
@@ -394,13 +393,8 @@ int fitPattern(std::span<const std::string> words)
     for (const auto& [file, text] :
          {std::pair(out, writeDesign(result.design)),
           std::pair(report, report.isEmpty() ? "" : reportOf(asked.order, result).dump(1) + "\n")}) {
-        if (file.isEmpty())
-            continue;
-        if (const Message problem = replaceWholeFile(file, text); !problem.empty()) {
-            printError("error: " + problem.english());
+        if (!file.isEmpty() && !writeAndSay(file, text))
             return otherFailure;
-        }
-        printResult("wrote " + file.toStdString());
     }
     return done;
 }

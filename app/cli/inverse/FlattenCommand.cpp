@@ -10,7 +10,6 @@
 #include "OutputFiles.h"
 #include "Solving.h"
 #include "Subcommands.h"
-#include "WholeFile.h"
 
 #include <QFileInfo>
 
@@ -233,16 +232,6 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
                 numberText(widest < 1e-6 ? 0 : widest, 2) + " mm at most");
 }
 
-bool write(const QString& path, const std::string& text)
-{
-    if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {
-        printError("error: " + problem.english());
-        return false;
-    }
-    printResult("wrote " + path.toStdString());
-    return true;
-}
-
 } // namespace
 
 int flattenForm(std::span<const std::string> words)
@@ -283,8 +272,8 @@ int flattenForm(std::span<const std::string> words)
     }
     printPieces(form, flat, made);
     interrupt.beginWriting();
-    const bool written = write(out, writeDesign(made.design)) &&
-                         (report.isEmpty() || write(report, reportOf(form, flat, made).dump(1) + "\n"));
+    const bool written = writeAndSay(out, writeDesign(made.design)) &&
+                         (report.isEmpty() || writeAndSay(report, reportOf(form, flat, made).dump(1) + "\n"));
     return written ? done : otherFailure;
 }
 

@@ -8,7 +8,6 @@
 #include "Reliefs.h"
 #include "Solving.h"
 #include "Subcommands.h"
-#include "WholeFile.h"
 
 #include <QDir>
 
@@ -133,9 +132,8 @@ int writeReliefs(const Arguments& arguments, const Design& design, const ReliefL
     if (const QString report = arguments.path("--report"); !report.isEmpty())
         files.emplace_back(report, reliefReport(list).dump(1) + "\n");
     for (const auto& [file, text] : files) {
-        if (const Message problem = replaceWholeFile(file, text); !problem.empty())
-            return relieveFailed(problem.english());
-        printResult("wrote " + file.toStdString());
+        if (!writeAndSay(file, text))
+            return otherFailure;
     }
     return done;
 }
