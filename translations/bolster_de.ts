@@ -5964,6 +5964,14 @@
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 Flächen der Form liegen da, wo schon eine andere liegt, und werden weggelassen</translation>
     </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>Die Form ist geschlossen, also hält nichts ihren Bezug: Er wird in sich zusammenfallen. Geben Sie den Teilen Druck, oder fixieren Sie eine Naht an einer Kurve auf dem Gestell</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>Teile, die für die Dreiecke des Bezugs mit %1 mm langen Kanten klein sind: %2. Machen Sie die Netzkanten für sie kürzer, sonst wird ihre Form grob</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8242,6 +8250,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu.</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>Angehalten. Die Liste ist die der Suche davor.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8469,6 +8481,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>Nach dem Namen oder einem Wort der Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Schnitt exportieren</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-naehplan</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>Der Schnitt konnte nicht exportiert werden.</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Bezug exportieren</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-Bezug</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Schaumkörper exportieren</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-Schaum</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>Der Bezug konnte nicht exportiert werden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>„%1“ ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>Oberfläche exportieren</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>Die Oberfläche ließ sich nicht exportieren.</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>Das Bild ließ sich nicht exportieren.</translation>
     </message>
 </context>
 <context>
@@ -8845,446 +8936,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>Änderungen in „%1“ speichern?</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>„%1“ ließ sich nicht öffnen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n Element ist so nicht brauchbar; alles andere geht.</numerusform>
-            <numerusform>%n Elemente sind so nicht brauchbar; alles andere geht.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>„%1“ ließ sich nicht speichern.</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>Gespeichert als %1</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Noch nichts</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>Die Beispiele sind nicht installiert</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>Gestell importieren</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>%1 wird gelesen …</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>„%1“ ließ sich nicht importieren.</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>Oberfläche exportieren</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Exportiert nach %1</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>Die Oberfläche ließ sich nicht exportieren.</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>Bild exportieren</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>Das Bild ließ sich nicht exportieren.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>„%1“ wird nicht ersetzt.</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-Bezug</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>Scans (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>Scan importieren</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>Eine andere Datei wählen</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>Projekt mit seinem Verlauf (*.bolster);;Entwurf als Text (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>Was für später aufgehoben wird, liegt mit allen Schritten unter Datei &gt; Nicht gespeicherte Arbeit.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>Für später auf&amp;heben</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>Projekt oder Entwurf öffnen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>„%1“ ist in einem anderen Fenster geöffnet.</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>Hier kann es zum Ansehen geöffnet werden; Änderungen werden unter einem anderen Namen gespeichert.</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>Kopie speichern</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-Kopie</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>Projekt (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>Kopie gespeichert als %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>%n nicht gespeicherter Schritt wiederhergestellt.</numerusform>
-            <numerusform>%n nicht gespeicherte Schritte wiederhergestellt.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>Neuer Entwurf</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nichts</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1 (gerettet)</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>&amp;Retten, was lesbar ist</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>„%1“ wird gerettet …</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>Es konnte nichts gerettet werden.</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>Was lesbar war, ist jetzt in „%1“.</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>Jemand anders hat „%1“ geändert, seit die Datei hier geöffnet wurde.</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>Die anderen Änderungen können hier ein Zweig des Verlaufs werden, dann wird beides gespeichert. Der eigene Entwurf bleibt, wie er ist, und der andere ist erreichbar.</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>Änderungen als Zweig &amp;übernehmen</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>Speichern &amp;unter …</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>Aus der Datei, %1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>Die anderen Änderungen konnten nicht übernommen werden.</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>Die Änderungen von jemand anderem sind jetzt ein Zweig des Verlaufs.</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>Was lesbar ist, kommt in ein neues Projekt daneben. Diese Datei bleibt, wie sie ist.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>%n weiterer Entwurf liegt unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
-            <numerusform>%n weitere Entwürfe liegen unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>Das ist die Version, an der zuletzt gearbeitet wurde; zu der in der Datei führt Datei &gt; Auf Gespeichertes zurücksetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>Liste &amp;leeren</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n Schritt</numerusform>
-            <numerusform>%n Schritte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n Schritt, der rückgängig gemacht wurde oder auf einem anderen Zweig liegt</numerusform>
-            <numerusform>%n Schritte, die rückgängig gemacht wurden oder auf anderen Zweigen liegen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>Namen von Versionen oder Zweigen</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>Die Datei enthält eine andere Version des Entwurfs als die, die zu sehen ist.</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>Ein Entwurf als Text kann das nicht aufnehmen, ein Projekt schon.</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>Als &amp;Projekt speichern …</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>Die Arbeit lässt sich nicht aufheben.</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1: nur der Entwurf, ohne seinen Verlauf</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>&amp;Erneut versuchen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>%n nicht gespeicherter Schritt liegt im Verlauf, rückgängig gemacht oder auf einem anderen Zweig.</numerusform>
-            <numerusform>%n nicht gespeicherte Schritte liegen im Verlauf, rückgängig gemacht oder auf anderen Zweigen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>Nicht gespeicherte Namen von Versionen oder Zweigen wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>Z&amp;um Gespeicherten zurück</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>&amp;Dorthin gehen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>„%1“ ist nicht mehr die Datei, die hier geöffnet oder gespeichert wurde.</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>Speichern Sie Ihren Entwurf unter einem anderen Namen, oder geben Sie dem, was jetzt dort liegt, einen anderen Namen daneben. Ist das ein beschädigtes Projekt, so rettet Datei &gt; Öffnen, was davon lesbar ist.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>Die andere Datei daneben auf&amp;heben und speichern</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>Was an der Stelle von „%1“ lag, liegt jetzt in „%2“.</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>Die nicht gespeicherte Arbeit an „%1“ konnte nicht wiederhergestellt werden.</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>Die nicht gespeicherte Arbeit an „%1“ ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>Was davon lesbar war, ist jetzt in „%1“.</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>Davon war nichts lesbar.</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>Was gespeichert war, ist nicht betroffen. Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit.</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>&amp;Gerettetes öffnen</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>In den &amp;Papierkorb</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>Was Sie seit %1 tun, ist nicht gegen einen Absturz geschützt: Bolster kann nicht in den Ordner „%2“ schreiben. Schaffen Sie dort Platz, oder speichern Sie den Entwurf.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1, %2, beschädigt</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>Noch nicht gespeichert: %1.</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>Die Arbeit an „%1“ wird wiederhergestellt …</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>Die Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>Schnitt exportieren</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-Schnitt</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>Der Schnitt konnte nicht exportiert werden.</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>Schnitt importieren</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>Schnitte (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-naehplan</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>%1 wird geschrieben …</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>Bezug exportieren</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>Schaumkörper exportieren</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-Schaum</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>%1 wird exportiert …</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>Der Bezug konnte nicht exportiert werden.</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>Projekte und Entwürfe (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>Gestelle (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>%1 wird vereinfacht …</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>„%1“ ist geschrieben.</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>Der Schnitt ist importiert. Was anders ist als in der Datei:</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird nach %n Tag im Papierkorb gelöscht.</numerusform>
-            <numerusform>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird nach %n Tagen im Papierkorb gelöscht.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9427,10 +9078,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>„%1“ wird nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>Flach gelegte Teile</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>Dehnung: %1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 und mehr</translation>
     </message>
 </context>
 <context>
@@ -9696,6 +9370,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Gestelle (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Scans (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>Gestell importieren</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Scan importieren</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>Schnitt importieren</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>Schnitte (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>Der Schnitt ist importiert. Was anders ist als in der Datei:</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>%1 wird vereinfacht …</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>„%1“ ließ sich nicht importieren.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9847,6 +9568,70 @@
     <message>
         <source>Jobs</source>
         <translation>Laufende Arbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>Neuer Entwurf</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>%n weiterer Entwurf liegt unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
+            <numerusform>%n weitere Entwürfe liegen unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Die Arbeit an „%1“ wird wiederhergestellt …</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>Die Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>Die nicht gespeicherte Arbeit an „%1“ konnte nicht wiederhergestellt werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n nicht gespeicherter Schritt wiederhergestellt.</numerusform>
+            <numerusform>%n nicht gespeicherte Schritte wiederhergestellt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n nicht gespeicherter Schritt liegt im Verlauf, rückgängig gemacht oder auf einem anderen Zweig.</numerusform>
+            <numerusform>%n nicht gespeicherte Schritte liegen im Verlauf, rückgängig gemacht oder auf anderen Zweigen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>Nicht gespeicherte Namen von Versionen oder Zweigen wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>Z&amp;um Gespeicherten zurück</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1, %2, beschädigt</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
     </message>
 </context>
 <context>
@@ -10163,6 +9948,52 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>Nicht übernommen: %1 ist zu viel, höchstens %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Projekte und Entwürfe (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>Das ist die Version, an der zuletzt gearbeitet wurde; zu der in der Datei führt Datei &gt; Auf Gespeichertes zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>Projekt oder Entwurf öffnen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>„%1“ ist in einem anderen Fenster geöffnet.</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>Hier kann es zum Ansehen geöffnet werden; Änderungen werden unter einem anderen Namen gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n Element ist so nicht brauchbar; alles andere geht.</numerusform>
+            <numerusform>%n Elemente sind so nicht brauchbar; alles andere geht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>Die Beispiele sind nicht installiert</translation>
     </message>
 </context>
 <context>
@@ -11158,10 +10989,229 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (gerettet)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>„%1“ ließ sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>Was lesbar ist, kommt in ein neues Projekt daneben. Diese Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>&amp;Retten, was lesbar ist</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>„%1“ wird gerettet …</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>Es konnte nichts gerettet werden.</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>Was lesbar war, ist jetzt in „%1“.</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>Die nicht gespeicherte Arbeit an „%1“ ist beschädigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird nach %n Tag im Papierkorb gelöscht.</numerusform>
+            <numerusform>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird nach %n Tagen im Papierkorb gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>In den &amp;Papierkorb</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>Was davon lesbar war, ist jetzt in „%1“.</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>Davon war nichts lesbar.</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>Was gespeichert war, ist nicht betroffen. Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit.</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>&amp;Gerettetes öffnen</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>&amp;Anhalten</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>Projekt mit seinem Verlauf (*.bolster);;Entwurf als Text (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n Schritt, der rückgängig gemacht wurde oder auf einem anderen Zweig liegt</numerusform>
+            <numerusform>%n Schritte, die rückgängig gemacht wurden oder auf anderen Zweigen liegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>Namen von Versionen oder Zweigen</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>Die Datei enthält eine andere Version des Entwurfs als die, die zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Noch nicht gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-Kopie</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>Projekt (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>Änderungen in „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>Ein Entwurf als Text kann das nicht aufnehmen, ein Projekt schon.</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>Was für später aufgehoben wird, liegt mit allen Schritten unter Datei &gt; Nicht gespeicherte Arbeit.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>Als &amp;Projekt speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>Für später auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>Die Arbeit lässt sich nicht aufheben.</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Kopie gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1: nur der Entwurf, ohne seinen Verlauf</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>„%1“ ist nicht mehr die Datei, die hier geöffnet oder gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>Speichern Sie Ihren Entwurf unter einem anderen Namen, oder geben Sie dem, was jetzt dort liegt, einen anderen Namen daneben. Ist das ein beschädigtes Projekt, so rettet Datei &gt; Öffnen, was davon lesbar ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>Die andere Datei daneben auf&amp;heben und speichern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>„%1“ ließ sich nicht speichern.</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>Was an der Stelle von „%1“ lag, liegt jetzt in „%2“.</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>Jemand anders hat „%1“ geändert, seit die Datei hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>Die anderen Änderungen können hier ein Zweig des Verlaufs werden, dann wird beides gespeichert. Der eigene Entwurf bleibt, wie er ist, und der andere ist erreichbar.</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>Änderungen als Zweig &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>Aus der Datei, %1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>Die anderen Änderungen konnten nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>Die Änderungen von jemand anderem sind jetzt ein Zweig des Verlaufs.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>&amp;Dorthin gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>Was Sie seit %1 tun, ist nicht gegen einen Absturz geschützt: Bolster kann nicht in den Ordner „%2“ schreiben. Schaffen Sie dort Platz, oder speichern Sie den Entwurf.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
     </message>
 </context>
 <context>

@@ -120,58 +120,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n element cannot be used as it is; everything else works.</numerusform>
-            <numerusform>%n elements cannot be used as they are; everything else works.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>%n unsaved edit restored.</numerusform>
-            <numerusform>%n unsaved edits restored.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>%n more design is under File &gt; Unsaved work.</numerusform>
-            <numerusform>%n more designs are under File &gt; Unsaved work.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n edit</numerusform>
-            <numerusform>%n edits</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n edit that was undone or is on another branch</numerusform>
-            <numerusform>%n edits that were undone or are on other branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>%n unsaved edit is in the history, undone or on another branch.</numerusform>
-            <numerusform>%n unsaved edits are in the history, undone or on other branches.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>What can be read goes into a new project. What you do not want any more is deleted %n day after it was put into the bin.</numerusform>
-            <numerusform>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message numerus="yes">
         <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %Ln triangles</source>
@@ -237,12 +185,46 @@
     </message>
 </context>
 <context>
+    <name>bolster::LeftWork</name>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>%n more design is under File &gt; Unsaved work.</numerusform>
+            <numerusform>%n more designs are under File &gt; Unsaved work.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n unsaved edit restored.</numerusform>
+            <numerusform>%n unsaved edits restored.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n unsaved edit is in the history, undone or on another branch.</numerusform>
+            <numerusform>%n unsaved edits are in the history, undone or on other branches.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::MainWindow</name>
     <message numerus="yes">
         <source>%n pieces are in the pattern. Seam &gt; Propose seams finds what belongs together.</source>
         <translation>
             <numerusform>%n piece is in the pattern. Seam &gt; Propose seams finds what belongs together.</numerusform>
             <numerusform>%n pieces are in the pattern. Seam &gt; Propose seams finds what belongs together.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n element cannot be used as it is; everything else works.</numerusform>
+            <numerusform>%n elements cannot be used as they are; everything else works.</numerusform>
         </translation>
     </message>
 </context>
@@ -263,6 +245,33 @@
         <translation>
             <numerusform>This version of Bolster does not know %n of them: %1</numerusform>
             <numerusform>This version of Bolster does not know %n of them: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::Rescue</name>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>What can be read goes into a new project. What you do not want any more is deleted %n day after it was put into the bin.</numerusform>
+            <numerusform>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n edit</numerusform>
+            <numerusform>%n edits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n edit that was undone or is on another branch</numerusform>
+            <numerusform>%n edits that were undone or are on other branches</numerusform>
         </translation>
     </message>
 </context>

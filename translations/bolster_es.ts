@@ -5964,6 +5964,14 @@
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 caras de la forma están donde ya hay otra y se omiten</translation>
     </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>La forma es cerrada, así que nada sujeta su funda: se hundirá sobre sí misma. Dé presión a las piezas o fije una costura a una curva del armazón</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>Piezas pequeñas para los triángulos de la funda, cuyas aristas miden %1 mm: %2. Acorte las aristas de malla para ellas, o su forma será tosca</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8242,6 +8250,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>El diseño ha cambiado entretanto: busque de nuevo.</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>Detenido. La lista es la de la búsqueda anterior.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8469,6 +8481,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>Por su nombre o por una palabra de su nota</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Exportar patrón</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-confeccion</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-patron</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Escribiendo %1…</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportado a %1</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>No se pudo exportar el patrón.</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Exportar funda</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-funda</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Exportar espuma</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-espuma</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>Exportando %1…</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>No se pudo exportar la funda.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>«%1» está escrito.</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>Exportar superficie</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>No se pudo exportar la superficie.</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Exportar imagen</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>No se pudo exportar la imagen.</translation>
     </message>
 </context>
 <context>
@@ -8845,446 +8936,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>¿Guardar los cambios de «%1»?</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>No se pudo abrir «%1».</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n elemento no se puede usar tal como está; todo lo demás funciona.</numerusform>
-            <numerusform>%n elementos no se pueden usar tal como están; todo lo demás funciona.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>No se pudo guardar «%1».</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>Guardado como %1</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Nada aún</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>Los ejemplos no están instalados</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>Importar armazón</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>Leyendo %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>No se pudo importar «%1».</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>Exportar superficie</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Exportado a %1</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>No se pudo exportar la superficie.</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>Exportar imagen</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>No se pudo exportar la imagen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>«%1» no se reemplaza.</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-funda</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>Escaneos (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>Importar escaneo</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>Elegir otro archivo</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>Proyecto con su historial (*.bolster);;Diseño como texto (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>El trabajo conservado para después, con todos sus pasos, está en Archivo &gt; Trabajo sin guardar.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>Conservar para &amp;después</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Guardar proyecto</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>Abrir proyecto o diseño</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>«%1» está abierto en otra ventana.</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>Aquí se puede abrir para verlo; lo que se cambie se guarda con otro nombre.</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>Guardar una copia</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-copia</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>Proyecto (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>Copia guardada como %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>%n edición sin guardar restaurada.</numerusform>
-            <numerusform>%n ediciones sin guardar restauradas.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>Diseño nuevo</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nada</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1 (recuperado)</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>&amp;Recuperar lo que se pueda leer</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>Recuperando «%1»…</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>No se pudo recuperar nada.</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>Lo que se pudo leer está ahora en «%1».</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>Otra persona ha modificado «%1» desde que se abrió aquí.</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>Sus cambios pueden pasar a ser aquí una rama del historial; así se guardan ambos. Su diseño queda como está y puede ir al otro.</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>&amp;Incorporar sus cambios como rama</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>Guardar &amp;como…</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>Del archivo, %1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>No se pudieron incorporar sus cambios.</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>Los cambios de la otra persona son ahora una rama del historial.</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>Lo que se pueda leer va a un proyecto nuevo, al lado. Este archivo queda como está.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>%n diseño más está en Archivo &gt; Trabajo sin guardar.</numerusform>
-            <numerusform>%n diseños más están en Archivo &gt; Trabajo sin guardar.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>Esta es la versión en la que estuvo por última vez; la del archivo está en Archivo &gt; Volver a lo guardado</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>&amp;Vaciar esta lista</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n edición</numerusform>
-            <numerusform>%n ediciones</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n edición deshecha o en otras ramas</numerusform>
-            <numerusform>%n ediciones deshechas o en otras ramas</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>nombres de versiones o ramas</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>El archivo contiene otra versión del diseño, no la que ve.</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>Un diseño como texto no puede contener eso; un proyecto, sí.</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>Guardar como &amp;proyecto…</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>El trabajo no se puede conservar.</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1: solo el diseño, sin su historial</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>&amp;Reintentar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>%n edición sin guardar está en el historial, deshecha o en otras ramas.</numerusform>
-            <numerusform>%n ediciones sin guardar están en el historial, deshechas o en otras ramas.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>Nombres de versiones o ramas sin guardar restaurados.</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Mostrar</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>&amp;Volver a lo guardado</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>&amp;Ir allí</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>«%1» ya no es el archivo que se abrió o guardó aquí.</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>Guarde su diseño con otro nombre o deje que lo que hay allí ahora tenga otro nombre al lado. Si es un proyecto dañado, Archivo &gt; Abrir recupera lo que se pueda leer.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>Co&amp;nservar el otro archivo al lado y guardar</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>Lo que estaba en el lugar de «%1» está ahora en «%2».</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>No se pudo restaurar el trabajo sin guardar de «%1».</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>El trabajo sin guardar de «%1» está dañado.</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>Lo que se pudo leer de él está ahora en «%1».</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>No se pudo leer nada de él.</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>Nada de lo guardado está afectado. El trabajo dañado se conserva en Archivo &gt; Trabajo sin guardar.</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>&amp;Abrir lo recuperado</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>Mover a la &amp;papelera</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>Nada protege de un fallo lo que haga desde %1: Bolster no puede escribir en la carpeta «%2». Libere espacio allí o guarde el diseño.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Guardar</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1, %2, dañado</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>Sin guardar aún: %1.</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>Restaurando el trabajo de «%1»…</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>El trabajo sigue en Archivo &gt; Trabajo sin guardar</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>El trabajo dañado se conserva en Archivo &gt; Trabajo sin guardar</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>Exportar patrón</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-patron</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>No se pudo exportar el patrón.</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>Importar patrón</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>Patrones (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-confeccion</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Escribiendo %1…</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>Exportar funda</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>Exportar espuma</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-espuma</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>Exportando %1…</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>No se pudo exportar la funda.</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>Proyectos y diseños (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>Armazones (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>Simplificando %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>«%1» está escrito.</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>El patrón se ha importado. Lo que difiere del archivo:</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a %n día de ponerlo en la papelera.</numerusform>
-            <numerusform>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a los %n días de ponerlo en la papelera.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9427,10 +9078,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>«%1» no se reemplaza.</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>Piezas aplanadas</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>Deformación: %1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 y más</translation>
     </message>
 </context>
 <context>
@@ -9696,6 +9370,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Armazones (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Escaneos (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>Importar armazón</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Importar escaneo</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>Importar patrón</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>Patrones (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Elegir otro archivo</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>El patrón se ha importado. Lo que difiere del archivo:</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>Simplificando %1…</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Escribiendo %1…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>No se pudo importar «%1».</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9847,6 +9568,70 @@
     <message>
         <source>Jobs</source>
         <translation>Tareas</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>Diseño nuevo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>%n diseño más está en Archivo &gt; Trabajo sin guardar.</numerusform>
+            <numerusform>%n diseños más están en Archivo &gt; Trabajo sin guardar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Restaurando el trabajo de «%1»…</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>El trabajo sigue en Archivo &gt; Trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>No se pudo restaurar el trabajo sin guardar de «%1».</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n edición sin guardar restaurada.</numerusform>
+            <numerusform>%n ediciones sin guardar restauradas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n edición sin guardar está en el historial, deshecha o en otras ramas.</numerusform>
+            <numerusform>%n ediciones sin guardar están en el historial, deshechas o en otras ramas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>Nombres de versiones o ramas sin guardar restaurados.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>&amp;Volver a lo guardado</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1, %2, dañado</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nada</translation>
     </message>
 </context>
 <context>
@@ -10163,6 +9948,52 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>No aceptado: %1 es demasiado, máximo %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Proyectos y diseños (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>Esta es la versión en la que estuvo por última vez; la del archivo está en Archivo &gt; Volver a lo guardado</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>Abrir proyecto o diseño</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>«%1» está abierto en otra ventana.</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>Aquí se puede abrir para verlo; lo que se cambie se guarda con otro nombre.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n elemento no se puede usar tal como está; todo lo demás funciona.</numerusform>
+            <numerusform>%n elementos no se pueden usar tal como están; todo lo demás funciona.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Nada aún</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>&amp;Vaciar esta lista</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>Los ejemplos no están instalados</translation>
     </message>
 </context>
 <context>
@@ -11158,10 +10989,229 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (recuperado)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>No se pudo abrir «%1».</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>Lo que se pueda leer va a un proyecto nuevo, al lado. Este archivo queda como está.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>&amp;Recuperar lo que se pueda leer</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>Recuperando «%1»…</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>No se pudo recuperar nada.</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>Lo que se pudo leer está ahora en «%1».</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>El trabajo sin guardar de «%1» está dañado.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a %n día de ponerlo en la papelera.</numerusform>
+            <numerusform>Lo que se pueda leer va a un proyecto nuevo. Lo que ya no quiera se elimina a los %n días de ponerlo en la papelera.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>Mover a la &amp;papelera</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>El trabajo dañado se conserva en Archivo &gt; Trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>Lo que se pudo leer de él está ahora en «%1».</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>No se pudo leer nada de él.</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>Nada de lo guardado está afectado. El trabajo dañado se conserva en Archivo &gt; Trabajo sin guardar.</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>&amp;Abrir lo recuperado</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>&amp;Detener</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>Proyecto con su historial (*.bolster);;Diseño como texto (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n edición</numerusform>
+            <numerusform>%n ediciones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n edición deshecha o en otras ramas</numerusform>
+            <numerusform>%n ediciones deshechas o en otras ramas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>nombres de versiones o ramas</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>El archivo contiene otra versión del diseño, no la que ve.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Sin guardar aún: %1.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Guardar una copia</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-copia</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>Proyecto (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>¿Guardar los cambios de «%1»?</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>Un diseño como texto no puede contener eso; un proyecto, sí.</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>El trabajo conservado para después, con todos sus pasos, está en Archivo &gt; Trabajo sin guardar.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>Guardar como &amp;proyecto…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>Conservar para &amp;después</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>El trabajo no se puede conservar.</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Guardar proyecto</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Copia guardada como %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1: solo el diseño, sin su historial</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>«%1» ya no es el archivo que se abrió o guardó aquí.</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>Guarde su diseño con otro nombre o deje que lo que hay allí ahora tenga otro nombre al lado. Si es un proyecto dañado, Archivo &gt; Abrir recupera lo que se pueda leer.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>Co&amp;nservar el otro archivo al lado y guardar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>No se pudo guardar «%1».</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>Lo que estaba en el lugar de «%1» está ahora en «%2».</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>Otra persona ha modificado «%1» desde que se abrió aquí.</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>Sus cambios pueden pasar a ser aquí una rama del historial; así se guardan ambos. Su diseño queda como está y puede ir al otro.</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>&amp;Incorporar sus cambios como rama</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>Del archivo, %1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>No se pudieron incorporar sus cambios.</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>Los cambios de la otra persona son ahora una rama del historial.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>&amp;Ir allí</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Reintentar</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Guardar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>Nada protege de un fallo lo que haga desde %1: Bolster no puede escribir en la carpeta «%2». Libere espacio allí o guarde el diseño.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
     </message>
 </context>
 <context>

@@ -5964,6 +5964,14 @@
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 faces de la forme se trouvent là où il y en a déjà une autre, et sont omises</translation>
     </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>La forme est fermée, donc rien ne tient sa housse&#x202f;: elle s’affaissera sur elle-même. Donnez de la pression aux pièces ou fixez une couture à une courbe de l’armature</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>Pièces petites pour les triangles de la housse, dont les arêtes mesurent %1 mm&#x202f;: %2. Raccourcissez les arêtes du maillage pour elles, sinon leur forme sera grossière</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8242,6 +8250,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau.</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>Arrêté. La liste est celle de la recherche précédente.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8469,6 +8481,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>Par son nom, ou par un mot de sa note</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Exporter le patron</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-montage</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-patron</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1…</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exporté vers %1</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>Le patron n’a pas pu être exporté.</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Exporter la housse</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-housse</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Exporter la mousse</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-mousse</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>Exportation de %1…</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>La housse n’a pas pu être exportée.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>«&#x202f;%1&#x202f;» est écrit.</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>Exporter la surface</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>La surface n’a pas pu être exportée.</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Exporter une image</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>L’image n’a pas pu être exportée.</translation>
     </message>
 </context>
 <context>
@@ -8845,446 +8936,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>Enregistrer les modifications de «&#x202f;%1&#x202f;»&#x202f;?</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>«&#x202f;%1&#x202f;» n’a pas pu être ouvert.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n élément n’est pas utilisable tel quel&#x202f;; tout le reste fonctionne.</numerusform>
-            <numerusform>%n éléments ne sont pas utilisables tels quels&#x202f;; tout le reste fonctionne.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>«&#x202f;%1&#x202f;» n’a pas pu être enregistré.</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>Enregistré sous %1</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Rien encore</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>Les exemples ne sont pas installés</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>Importer une armature</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>Lecture de %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>«&#x202f;%1&#x202f;» n’a pas pu être importé.</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>Exporter la surface</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Exporté vers %1</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>La surface n’a pas pu être exportée.</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>Exporter une image</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>L’image n’a pas pu être exportée.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>«&#x202f;%1&#x202f;» n’est pas remplacé.</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-housse</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>Scans (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>Importer un scan</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>Choisir un autre fichier</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>Projet avec son historique (*.bolster);;Modèle en texte (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>Le travail gardé pour plus tard, avec toutes ses étapes, est sous Fichier &gt; Travail non enregistré.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>&amp;Garder pour plus tard</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Enregistrer le projet</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>Ouvrir un projet ou un modèle</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>«&#x202f;%1&#x202f;» est ouvert dans une autre fenêtre.</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>Il peut être ouvert ici pour consultation&#x202f;; ce qui est modifié s’enregistre sous un autre nom.</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>Enregistrer une copie</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-copie</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>Projet (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>Copie enregistrée sous %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>%n modification non enregistrée restaurée.</numerusform>
-            <numerusform>%n modifications non enregistrées restaurées.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>Nouveau modèle</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Rien</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1 (récupéré)</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>&amp;Récupérer ce qui est lisible</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>Récupération de «&#x202f;%1&#x202f;»…</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>Rien n’a pu être récupéré.</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>Ce qui était lisible est maintenant dans «&#x202f;%1&#x202f;».</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>Quelqu’un d’autre a modifié «&#x202f;%1&#x202f;» depuis son ouverture ici.</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>Ses modifications peuvent devenir ici une branche de l’historique, puis les deux sont enregistrées. Votre modèle reste tel quel, et vous pouvez aller au sien.</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>Reprendre ses modifications en &amp;branche</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>Enregistrer &amp;sous…</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>Du fichier, %1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>Ses modifications n’ont pas pu être reprises.</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>Les modifications de l’autre personne sont maintenant une branche de l’historique.</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>Ce qui est lisible va dans un nouveau projet à côté. Ce fichier reste tel quel.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>%n autre modèle est sous Fichier &gt; Travail non enregistré.</numerusform>
-            <numerusform>%n autres modèles sont sous Fichier &gt; Travail non enregistré.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>C’est la version où vous étiez en dernier&#x202f;; celle du fichier est sous Fichier &gt; Revenir à la version enregistrée</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>&amp;Vider cette liste</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n modification</numerusform>
-            <numerusform>%n modifications</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n modification annulée ou sur une autre branche</numerusform>
-            <numerusform>%n modifications annulées ou sur d’autres branches</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>noms de versions ou de branches</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>Le fichier contient une autre version du modèle que celle que vous voyez.</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>Un modèle en texte ne peut pas contenir cela, un projet si.</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>Enregistrer comme &amp;projet…</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>Le travail ne peut pas être gardé.</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1&#x202f;: le modèle seul, sans son historique</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>&amp;Réessayer</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>%n modification non enregistrée est dans l’historique, annulée ou sur une autre branche.</numerusform>
-            <numerusform>%n modifications non enregistrées sont dans l’historique, annulées ou sur d’autres branches.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>Noms non enregistrés de versions ou de branches restaurés.</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Afficher</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>Reve&amp;nir à la version enregistrée</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>Y a&amp;ller</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>«&#x202f;%1&#x202f;» n’est plus le fichier qui a été ouvert ou enregistré ici.</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>Enregistrez votre modèle sous un autre nom, ou donnez à ce qui s’y trouve maintenant un autre nom à côté. Si c’est un projet endommagé, Fichier &gt; Ouvrir en récupère ce qui est lisible.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>&amp;Garder l’autre fichier à côté, et enregistrer</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>Ce qui était à la place de «&#x202f;%1&#x202f;» est maintenant dans «&#x202f;%2&#x202f;».</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>Le travail non enregistré sur «&#x202f;%1&#x202f;» n’a pas pu être restauré.</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>Le travail non enregistré sur «&#x202f;%1&#x202f;» est endommagé.</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>Ce qui en était lisible est maintenant dans «&#x202f;%1&#x202f;».</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>Rien n’en était lisible.</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>Rien de ce qui a été enregistré n’est touché. Le travail endommagé est gardé sous Fichier &gt; Travail non enregistré.</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>&amp;Ouvrir ce qui a été récupéré</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>Mettre à la &amp;corbeille</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>Rien ne protège d’un plantage ce que vous faites depuis %1&#x202f;: Bolster ne peut pas écrire dans le dossier «&#x202f;%2&#x202f;». Libérez-y de la place, ou enregistrez le modèle.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1, %2, endommagé</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>Pas encore enregistré&#x202f;: %1.</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>Restauration du travail sur «&#x202f;%1&#x202f;»…</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>Le travail reste sous Fichier &gt; Travail non enregistré</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>Le travail endommagé est gardé sous Fichier &gt; Travail non enregistré</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>Exporter le patron</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-patron</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>Le patron n’a pas pu être exporté.</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>Importer un patron</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>Patrons (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-montage</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Écriture de %1…</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>Exporter la housse</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>Exporter la mousse</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-mousse</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>Exportation de %1…</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>La housse n’a pas pu être exportée.</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>Projets et modèles (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>Armatures (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>Simplification de %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>«&#x202f;%1&#x202f;» est écrit.</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>Le patron est importé. Ce qui diffère du fichier&#x202f;:</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>Ce qui est lisible va dans un nouveau projet. Ce que vous ne voulez plus est supprimé après %n jour dans la corbeille.</numerusform>
-            <numerusform>Ce qui est lisible va dans un nouveau projet. Ce que vous ne voulez plus est supprimé après %n jours dans la corbeille.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9427,10 +9078,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>«&#x202f;%1&#x202f;» n’est pas remplacé.</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>Pièces mises à plat</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>Déformation&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 et plus</translation>
     </message>
 </context>
 <context>
@@ -9696,6 +9370,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Armatures (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Scans (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>Importer une armature</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Importer un scan</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>Importer un patron</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>Patrons (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Choisir un autre fichier</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>Le patron est importé. Ce qui diffère du fichier&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>Simplification de %1…</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être importé.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9847,6 +9568,70 @@
     <message>
         <source>Jobs</source>
         <translation>Tâches</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>Nouveau modèle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>%n autre modèle est sous Fichier &gt; Travail non enregistré.</numerusform>
+            <numerusform>%n autres modèles sont sous Fichier &gt; Travail non enregistré.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Restauration du travail sur «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>Le travail reste sous Fichier &gt; Travail non enregistré</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>Le travail non enregistré sur «&#x202f;%1&#x202f;» n’a pas pu être restauré.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n modification non enregistrée restaurée.</numerusform>
+            <numerusform>%n modifications non enregistrées restaurées.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n modification non enregistrée est dans l’historique, annulée ou sur une autre branche.</numerusform>
+            <numerusform>%n modifications non enregistrées sont dans l’historique, annulées ou sur d’autres branches.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>Noms non enregistrés de versions ou de branches restaurés.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Afficher</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>Reve&amp;nir à la version enregistrée</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1, %2, endommagé</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
     </message>
 </context>
 <context>
@@ -10163,6 +9948,52 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>Non repris&#x202f;: %1 est trop grand, au plus %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Projets et modèles (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>C’est la version où vous étiez en dernier&#x202f;; celle du fichier est sous Fichier &gt; Revenir à la version enregistrée</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>Ouvrir un projet ou un modèle</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>«&#x202f;%1&#x202f;» est ouvert dans une autre fenêtre.</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>Il peut être ouvert ici pour consultation&#x202f;; ce qui est modifié s’enregistre sous un autre nom.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n élément n’est pas utilisable tel quel&#x202f;; tout le reste fonctionne.</numerusform>
+            <numerusform>%n éléments ne sont pas utilisables tels quels&#x202f;; tout le reste fonctionne.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Afficher</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Rien encore</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>&amp;Vider cette liste</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>Les exemples ne sont pas installés</translation>
     </message>
 </context>
 <context>
@@ -11158,10 +10989,229 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (récupéré)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être ouvert.</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>Ce qui est lisible va dans un nouveau projet à côté. Ce fichier reste tel quel.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>&amp;Récupérer ce qui est lisible</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>Récupération de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>Rien n’a pu être récupéré.</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>Ce qui était lisible est maintenant dans «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>Le travail non enregistré sur «&#x202f;%1&#x202f;» est endommagé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Ce qui est lisible va dans un nouveau projet. Ce que vous ne voulez plus est supprimé après %n jour dans la corbeille.</numerusform>
+            <numerusform>Ce qui est lisible va dans un nouveau projet. Ce que vous ne voulez plus est supprimé après %n jours dans la corbeille.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>Mettre à la &amp;corbeille</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>Le travail endommagé est gardé sous Fichier &gt; Travail non enregistré</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>Ce qui en était lisible est maintenant dans «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>Rien n’en était lisible.</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>Rien de ce qui a été enregistré n’est touché. Le travail endommagé est gardé sous Fichier &gt; Travail non enregistré.</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>&amp;Ouvrir ce qui a été récupéré</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>&amp;Arrêter</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>Projet avec son historique (*.bolster);;Modèle en texte (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n modification</numerusform>
+            <numerusform>%n modifications</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n modification annulée ou sur une autre branche</numerusform>
+            <numerusform>%n modifications annulées ou sur d’autres branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>noms de versions ou de branches</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>Le fichier contient une autre version du modèle que celle que vous voyez.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Pas encore enregistré&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Enregistrer une copie</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-copie</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>Projet (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>Enregistrer les modifications de «&#x202f;%1&#x202f;»&#x202f;?</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>Un modèle en texte ne peut pas contenir cela, un projet si.</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>Le travail gardé pour plus tard, avec toutes ses étapes, est sous Fichier &gt; Travail non enregistré.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>Enregistrer comme &amp;projet…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>&amp;Garder pour plus tard</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>Le travail ne peut pas être gardé.</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Copie enregistrée sous %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Enregistré sous %1</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1&#x202f;: le modèle seul, sans son historique</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>«&#x202f;%1&#x202f;» n’est plus le fichier qui a été ouvert ou enregistré ici.</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>Enregistrez votre modèle sous un autre nom, ou donnez à ce qui s’y trouve maintenant un autre nom à côté. Si c’est un projet endommagé, Fichier &gt; Ouvrir en récupère ce qui est lisible.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>&amp;Garder l’autre fichier à côté, et enregistrer</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être enregistré.</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>Ce qui était à la place de «&#x202f;%1&#x202f;» est maintenant dans «&#x202f;%2&#x202f;».</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>Quelqu’un d’autre a modifié «&#x202f;%1&#x202f;» depuis son ouverture ici.</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>Ses modifications peuvent devenir ici une branche de l’historique, puis les deux sont enregistrées. Votre modèle reste tel quel, et vous pouvez aller au sien.</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>Reprendre ses modifications en &amp;branche</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>Du fichier, %1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>Ses modifications n’ont pas pu être reprises.</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>Les modifications de l’autre personne sont maintenant une branche de l’historique.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Afficher</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>Y a&amp;ller</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Réessayer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>Rien ne protège d’un plantage ce que vous faites depuis %1&#x202f;: Bolster ne peut pas écrire dans le dossier «&#x202f;%2&#x202f;». Libérez-y de la place, ou enregistrez le modèle.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
     </message>
 </context>
 <context>

@@ -5962,7 +5962,15 @@
     </message>
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>%1 facce della forma si trovano dove ce n'è già un'altra e sono tralasciate</translation>
+        <translation>%1 facce della forma si trovano dove ce n&apos;è già un&apos;altra e sono tralasciate</translation>
+    </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>La forma è chiusa, quindi nulla tiene il suo rivestimento: si affloscerà su se stesso. Date pressione ai pezzi o fissate una cucitura a una curva del telaio</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>Pezzi piccoli per i triangoli del rivestimento, i cui lati misurano %1 mm: %2. Accorciate i lati della mesh per loro, altrimenti la loro forma sarà grossolana</translation>
     </message>
 </context>
 <context>
@@ -8242,6 +8250,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>Nel frattempo il modello è cambiato: cercare di nuovo.</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>Interrotto. L’elenco è quello della ricerca precedente.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8469,6 +8481,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>Per nome, o per una parola della nota</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Esporta cartamodello</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-cucitura</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-cartamodello</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Scrittura di %1…</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Esportato in %1</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>Impossibile esportare il cartamodello.</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Esporta rivestimento</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-rivestimento</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Esporta espanso</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-espanso</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>Esportazione di %1…</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>Impossibile esportare il rivestimento.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>«%1» è stato scritto.</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>Esporta superficie</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>Impossibile esportare la superficie.</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Esporta immagine</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>Impossibile esportare l’immagine.</translation>
     </message>
 </context>
 <context>
@@ -8845,446 +8936,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>Salvare le modifiche in «%1»?</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>Impossibile aprire «%1».</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n elemento non è utilizzabile così com’è; tutto il resto funziona.</numerusform>
-            <numerusform>%n elementi non sono utilizzabili così come sono; tutto il resto funziona.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>Impossibile salvare «%1».</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>Salvato come %1</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Ancora nulla</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>Gli esempi non sono installati</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>Importa telaio</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>Lettura di %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>Impossibile importare «%1».</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>Esporta superficie</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Esportato in %1</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>Impossibile esportare la superficie.</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>Esporta immagine</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>Impossibile esportare l’immagine.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>«%1» non viene sostituito.</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-rivestimento</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>Scansioni (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>Importa scansione</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>Scegli un altro file</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>Progetto con la sua cronologia (*.bolster);;Modello come testo (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>Il lavoro conservato per dopo, con tutti i suoi passi, è in File &gt; Lavoro non salvato.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>&amp;Conserva per dopo</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Salva progetto</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>Apri progetto o modello</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>«%1» è aperto in un’altra finestra.</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>Qui può essere aperto per consultarlo; le modifiche si salvano con un altro nome.</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>Salva una copia</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-copia</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>Progetto (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>Copia salvata come %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>%n modifica non salvata ripristinata.</numerusform>
-            <numerusform>%n modifiche non salvate ripristinate.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>Nuovo modello</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nulla</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1 (recuperato)</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>&amp;Recupera ciò che è leggibile</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>Recupero di «%1»…</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>Non è stato recuperato nulla.</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>Ciò che era leggibile è ora in «%1».</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>Qualcun altro ha modificato «%1» dopo l’apertura qui.</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>Le altre modifiche possono diventare qui un ramo della cronologia, poi si salvano entrambe. Il proprio modello resta com’è e si può passare all’altro.</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>&amp;Accogli le modifiche come ramo</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>Salva con &amp;nome…</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>Dal file, %1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>Impossibile accogliere le altre modifiche.</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>Le modifiche dell’altra persona sono ora un ramo della cronologia.</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>Ciò che è leggibile va in un nuovo progetto accanto. Questo file resta com’è.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>Un altro modello (%n) è in File &gt; Lavoro non salvato.</numerusform>
-            <numerusform>Altri %n modelli sono in File &gt; Lavoro non salvato.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>Questa è la versione dell’ultimo lavoro; quella nel file è in File &gt; Torna al salvato</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>&amp;Svuota l’elenco</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n modifica</numerusform>
-            <numerusform>%n modifiche</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n modifica annullata o su altri rami</numerusform>
-            <numerusform>%n modifiche annullate o su altri rami</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>nomi di versioni o rami</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>Il file contiene una versione del modello diversa da quella visibile.</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>Un modello come testo non può contenerlo, un progetto sì.</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>Salva come &amp;progetto…</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>Il lavoro non può essere conservato.</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1: solo il modello, senza la sua cronologia</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>&amp;Riprova</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>%n modifica non salvata è nella cronologia, annullata o su altri rami.</numerusform>
-            <numerusform>%n modifiche non salvate sono nella cronologia, annullate o su altri rami.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>Nomi non salvati di versioni o rami ripristinati.</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Mostra</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>&amp;Torna al salvato</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>&amp;Vai lì</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>«%1» non è più il file che è stato aperto o salvato qui.</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>Salvare il modello con un altro nome, oppure dare un altro nome a ciò che ora si trova lì. Se è un progetto danneggiato, File &gt; Apri recupera ciò che ne è leggibile.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>&amp;Conserva accanto l’altro file e salva</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>Ciò che era al posto di «%1» è ora in «%2».</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>Impossibile ripristinare il lavoro non salvato su «%1».</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>Il lavoro non salvato su «%1» è danneggiato.</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>Ciò che ne era leggibile è ora in «%1».</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>Nulla ne era leggibile.</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>Ciò che era salvato non è toccato. Il lavoro danneggiato è conservato in File &gt; Lavoro non salvato.</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>Apri ciò che è stato &amp;recuperato</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>Metti nel &amp;cestino</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>Il lavoro da %1 in poi non è protetto da un arresto anomalo: Bolster non può scrivere nella cartella «%2». Liberare spazio o salvare il modello.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Salva</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1, %2, danneggiato</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>Non ancora salvato: %1.</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>Ripristino del lavoro su «%1»…</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>Il lavoro resta in File &gt; Lavoro non salvato</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>Il lavoro danneggiato è conservato in File &gt; Lavoro non salvato</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>Esporta cartamodello</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-cartamodello</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>Impossibile esportare il cartamodello.</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>Importa cartamodello</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>Cartamodelli (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-cucitura</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Scrittura di %1…</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>Esporta rivestimento</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>Esporta espanso</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-espanso</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>Esportazione di %1…</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>Impossibile esportare il rivestimento.</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>Progetti e modelli (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>Telai (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>Semplificazione di %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>«%1» è stato scritto.</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>Il cartamodello è importato. Differenze rispetto al file:</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato %n giorno dopo essere finito nel cestino.</numerusform>
-            <numerusform>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato %n giorni dopo essere finito nel cestino.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9427,10 +9078,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>«%1» non viene sostituito.</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lettura di %1…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>Pezzi stesi in piano</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>Deformazione: %1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 e più</translation>
     </message>
 </context>
 <context>
@@ -9696,6 +9370,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Telai (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Scansioni (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>Importa telaio</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Importa scansione</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>Importa cartamodello</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>Cartamodelli (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Scegli un altro file</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>Il cartamodello è importato. Differenze rispetto al file:</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>Semplificazione di %1…</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Scrittura di %1…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>Impossibile importare «%1».</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9847,6 +9568,70 @@
     <message>
         <source>Jobs</source>
         <translation>Attività</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>Nuovo modello</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>Un altro modello (%n) è in File &gt; Lavoro non salvato.</numerusform>
+            <numerusform>Altri %n modelli sono in File &gt; Lavoro non salvato.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Ripristino del lavoro su «%1»…</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>Il lavoro resta in File &gt; Lavoro non salvato</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>Impossibile ripristinare il lavoro non salvato su «%1».</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n modifica non salvata ripristinata.</numerusform>
+            <numerusform>%n modifiche non salvate ripristinate.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n modifica non salvata è nella cronologia, annullata o su altri rami.</numerusform>
+            <numerusform>%n modifiche non salvate sono nella cronologia, annullate o su altri rami.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>Nomi non salvati di versioni o rami ripristinati.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>&amp;Torna al salvato</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1, %2, danneggiato</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nulla</translation>
     </message>
 </context>
 <context>
@@ -10163,6 +9948,52 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>Non accettato: %1 è troppo, al massimo %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Progetti e modelli (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>Questa è la versione dell’ultimo lavoro; quella nel file è in File &gt; Torna al salvato</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>Apri progetto o modello</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>«%1» è aperto in un’altra finestra.</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>Qui può essere aperto per consultarlo; le modifiche si salvano con un altro nome.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n elemento non è utilizzabile così com’è; tutto il resto funziona.</numerusform>
+            <numerusform>%n elementi non sono utilizzabili così come sono; tutto il resto funziona.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Ancora nulla</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>&amp;Svuota l’elenco</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>Gli esempi non sono installati</translation>
     </message>
 </context>
 <context>
@@ -11158,10 +10989,229 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (recuperato)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>Impossibile aprire «%1».</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>Ciò che è leggibile va in un nuovo progetto accanto. Questo file resta com’è.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>&amp;Recupera ciò che è leggibile</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>Recupero di «%1»…</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>Non è stato recuperato nulla.</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>Ciò che era leggibile è ora in «%1».</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>Il lavoro non salvato su «%1» è danneggiato.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato %n giorno dopo essere finito nel cestino.</numerusform>
+            <numerusform>Ciò che è leggibile va in un nuovo progetto. Ciò che non serve più viene eliminato %n giorni dopo essere finito nel cestino.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>Metti nel &amp;cestino</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>Il lavoro danneggiato è conservato in File &gt; Lavoro non salvato</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>Ciò che ne era leggibile è ora in «%1».</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>Nulla ne era leggibile.</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>Ciò che era salvato non è toccato. Il lavoro danneggiato è conservato in File &gt; Lavoro non salvato.</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>Apri ciò che è stato &amp;recuperato</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>&amp;Interrompi</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>Progetto con la sua cronologia (*.bolster);;Modello come testo (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n modifica</numerusform>
+            <numerusform>%n modifiche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n modifica annullata o su altri rami</numerusform>
+            <numerusform>%n modifiche annullate o su altri rami</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>nomi di versioni o rami</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>Il file contiene una versione del modello diversa da quella visibile.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Non ancora salvato: %1.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Salva una copia</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-copia</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>Progetto (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>Salvare le modifiche in «%1»?</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>Un modello come testo non può contenerlo, un progetto sì.</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>Il lavoro conservato per dopo, con tutti i suoi passi, è in File &gt; Lavoro non salvato.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>Salva come &amp;progetto…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>&amp;Conserva per dopo</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>Il lavoro non può essere conservato.</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Salva progetto</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Copia salvata come %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Salvato come %1</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1: solo il modello, senza la sua cronologia</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>«%1» non è più il file che è stato aperto o salvato qui.</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>Salvare il modello con un altro nome, oppure dare un altro nome a ciò che ora si trova lì. Se è un progetto danneggiato, File &gt; Apri recupera ciò che ne è leggibile.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>&amp;Conserva accanto l’altro file e salva</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>Impossibile salvare «%1».</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>Ciò che era al posto di «%1» è ora in «%2».</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>Qualcun altro ha modificato «%1» dopo l’apertura qui.</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>Le altre modifiche possono diventare qui un ramo della cronologia, poi si salvano entrambe. Il proprio modello resta com’è e si può passare all’altro.</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>&amp;Accogli le modifiche come ramo</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>Dal file, %1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>Impossibile accogliere le altre modifiche.</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>Le modifiche dell’altra persona sono ora un ramo della cronologia.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>&amp;Vai lì</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Riprova</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Salva con &amp;nome…</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>Il lavoro da %1 in poi non è protetto da un arresto anomalo: Bolster non può scrivere nella cartella «%2». Liberare spazio o salvare il modello.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salva</translation>
     </message>
 </context>
 <context>

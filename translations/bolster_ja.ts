@@ -5960,6 +5960,14 @@
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>形状の面 %1 枚は別の面と重なっているため除かれました</translation>
     </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>形が閉じているため、カバーを支えるものがありません。カバーはつぶれます。パーツに圧力を与えるか、縫い目をフレーム上の曲線に固定してください</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>カバーの三角形（エッジ長 %1 mm）に対して小さいパーツ：%2。形が粗くなるため、メッシュのエッジを短くしてください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8236,6 +8244,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>その間にデザインが変わりました。探し直してください。</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>停止しました。一覧は前回の検索の結果です。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8463,6 +8475,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>名前またはメモの語で検索</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>型紙をエクスポート</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-縫製</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-型紙</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 を書き出しています…</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>%1 にエクスポートしました</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>型紙をエクスポートできませんでした。</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>カバーをエクスポート</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-カバー</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>フォームをエクスポート</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-フォーム</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>%1 をエクスポートしています…</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>カバーをエクスポートできませんでした。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>「%1」を書き出しました。</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>面をエクスポート</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>面をエクスポートできませんでした。</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>画像をエクスポート</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>画像をエクスポートできませんでした。</translation>
     </message>
 </context>
 <context>
@@ -8832,439 +8923,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>「%1」の変更を保存しますか?</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>「%1」を開けませんでした。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n 個の要素はこのままでは使えません。その他は正常です。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>「%1」を保存できませんでした。</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>%1 として保存しました</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>まだありません</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>サンプルがインストールされていません</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>フレームをインポート</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>%1 を読み込んでいます…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>「%1」をインポートできませんでした。</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>面をエクスポート</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>%1 にエクスポートしました</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>面をエクスポートできませんでした。</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>画像をエクスポート</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>画像をエクスポートできませんでした。</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>「%1」は置き換えられません。</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-カバー</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>スキャン (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>スキャンをインポート</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>別のファイルを選択</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>履歴付きプロジェクト (*.bolster);;テキスト形式のデザイン (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>後のために保管した作業は、すべてのステップとともに「ファイル &gt; 未保存の作業」にあります。</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>後のために保管(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>プロジェクトを保存</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>プロジェクトまたはデザインを開く</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>「%1」は別のウィンドウで開かれています。</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>ここでは閲覧用に開けます。変更は別の名前で保存されます。</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>コピーを保存</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-コピー</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>プロジェクト (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>コピーを %1 として保存しました</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>未保存の編集 %n 件を復元しました。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>新しいデザイン</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1、%2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1 (復旧)</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>読み取れる内容を復旧(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>「%1」を復旧しています…</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>何も復旧できませんでした。</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>読み取れた内容は「%1」にあります。</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>「%1」は、ここで開いた後に他の人が変更しました。</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>その変更をここで履歴の分岐にし、両方を保存できます。あなたのデザインはそのまま残り、相手のデザインに移動することもできます。</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>相手の変更を分岐として取り込む(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>名前を付けて保存(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>ファイルから、%1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>相手の変更を取り込めませんでした。</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>他の人の変更が履歴の分岐になりました。</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>読み取れる内容を、隣の新しいプロジェクトに入れます。このファイルは変わりません。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>他 %n 件のデザインが「ファイル &gt; 未保存の作業」にあります。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>最後に作業していたバージョンです。ファイルのバージョンは「ファイル &gt; 保存した状態に戻す」で開けます</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>一覧を消去(&amp;C)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>編集 %n 件</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>元に戻した、または他の分岐にある編集 %n 件</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>バージョンまたは分岐の名前</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>ファイルにあるデザインは、表示中のものとは別のバージョンです。</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>テキスト形式のデザインには保存できません。プロジェクトなら保存できます。</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>プロジェクトとして保存(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>作業を保管できません。</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1: 履歴なしのデザインのみ</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>再試行(&amp;T)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>元に戻した、または他の分岐にある未保存の編集 %n 件が履歴にあります。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>バージョンまたは分岐の未保存の名前を復元しました。</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>表示(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>保存した状態に戻る(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>そこへ移動(&amp;T)</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>「%1」は、ここで開いた、または保存したファイルではなくなっています。</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>デザインを別の名前で保存するか、現在そこにあるファイルを別の名前で横に残してください。それが破損したプロジェクトなら、「ファイル &gt; 開く」で読み取れる内容を復旧できます。</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>他のファイルを横に残して保存(&amp;K)</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>「%1」の場所にあったものは「%2」に移しました。</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>「%1」の未保存の作業を復元できませんでした。</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>「%1」の未保存の作業が破損しています。</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>読み取れた内容は「%1」にあります。</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>読み取れる内容はありませんでした。</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>保存済みのものに影響はありません。破損した作業は「ファイル &gt; 未保存の作業」に保管されます。</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>復旧した内容を開く(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>ごみ箱に入れる(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>%1 以降の作業はクラッシュから保護されていません。フォルダー「%2」に書き込めません。空きを作るか、デザインを保存してください。</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1、%2、破損</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>未保存: %1。</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>「%1」の作業を復元しています…</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>作業は「ファイル &gt; 未保存の作業」に残ります</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>破損した作業は「ファイル &gt; 未保存の作業」に保管されます</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>型紙をエクスポート</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-型紙</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>型紙をエクスポートできませんでした。</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>型紙をインポート</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>型紙 (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-縫製</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>%1 を書き出しています…</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>カバーをエクスポート</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>フォームをエクスポート</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-フォーム</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>%1 をエクスポートしています…</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>カバーをエクスポートできませんでした。</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>プロジェクトとデザイン (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>フレーム (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>%1 を単純化しています…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>「%1」を書き出しました。</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>型紙をインポートしました。ファイルとの相違点:</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>読み取れる内容は新しいプロジェクトに入ります。不要なものは、ごみ箱に入れて %n 日後に削除されます。</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9406,10 +9064,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>「%1」は置き換えられません。</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 を読み込んでいます…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>展開したパーツ</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>ひずみ：%1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 以上</translation>
     </message>
 </context>
 <context>
@@ -9672,6 +9353,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>フレーム (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>スキャン (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>フレームをインポート</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>スキャンをインポート</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>型紙をインポート</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>型紙 (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>別のファイルを選択</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>型紙をインポートしました。ファイルとの相違点:</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>%1 を単純化しています…</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 を書き出しています…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>「%1」をインポートできませんでした。</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9819,6 +9547,67 @@
     <message>
         <source>Jobs</source>
         <translation>ジョブ</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>新しいデザイン</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>他 %n 件のデザインが「ファイル &gt; 未保存の作業」にあります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>「%1」の作業を復元しています…</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>作業は「ファイル &gt; 未保存の作業」に残ります</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>「%1」の未保存の作業を復元できませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>未保存の編集 %n 件を復元しました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>元に戻した、または他の分岐にある未保存の編集 %n 件が履歴にあります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>バージョンまたは分岐の未保存の名前を復元しました。</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>表示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>保存した状態に戻る(&amp;B)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1、%2、破損</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>なし</translation>
     </message>
 </context>
 <context>
@@ -10134,6 +9923,51 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>適用されません: %1 は大きすぎます。%2 以下にしてください</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>プロジェクトとデザイン (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>最後に作業していたバージョンです。ファイルのバージョンは「ファイル &gt; 保存した状態に戻す」で開けます</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>プロジェクトまたはデザインを開く</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>「%1」は別のウィンドウで開かれています。</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>ここでは閲覧用に開けます。変更は別の名前で保存されます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n 個の要素はこのままでは使えません。その他は正常です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>表示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>一覧を消去(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>サンプルがインストールされていません</translation>
     </message>
 </context>
 <context>
@@ -11127,10 +10961,226 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (復旧)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>「%1」を開けませんでした。</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>読み取れる内容を、隣の新しいプロジェクトに入れます。このファイルは変わりません。</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>読み取れる内容を復旧(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>「%1」を復旧しています…</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>何も復旧できませんでした。</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>読み取れた内容は「%1」にあります。</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>「%1」の未保存の作業が破損しています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>読み取れる内容は新しいプロジェクトに入ります。不要なものは、ごみ箱に入れて %n 日後に削除されます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>ごみ箱に入れる(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>破損した作業は「ファイル &gt; 未保存の作業」に保管されます</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>読み取れた内容は「%1」にあります。</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>読み取れる内容はありませんでした。</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>保存済みのものに影響はありません。破損した作業は「ファイル &gt; 未保存の作業」に保管されます。</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>復旧した内容を開く(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>履歴付きプロジェクト (*.bolster);;テキスト形式のデザイン (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>編集 %n 件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>元に戻した、または他の分岐にある編集 %n 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>バージョンまたは分岐の名前</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>ファイルにあるデザインは、表示中のものとは別のバージョンです。</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>未保存: %1。</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>コピーを保存</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-コピー</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>プロジェクト (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>「%1」の変更を保存しますか?</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>テキスト形式のデザインには保存できません。プロジェクトなら保存できます。</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>後のために保管した作業は、すべてのステップとともに「ファイル &gt; 未保存の作業」にあります。</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>プロジェクトとして保存(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>後のために保管(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>作業を保管できません。</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>コピーを %1 として保存しました</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>%1 として保存しました</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1: 履歴なしのデザインのみ</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>「%1」は、ここで開いた、または保存したファイルではなくなっています。</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>デザインを別の名前で保存するか、現在そこにあるファイルを別の名前で横に残してください。それが破損したプロジェクトなら、「ファイル &gt; 開く」で読み取れる内容を復旧できます。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>他のファイルを横に残して保存(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>「%1」を保存できませんでした。</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>「%1」の場所にあったものは「%2」に移しました。</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>「%1」は、ここで開いた後に他の人が変更しました。</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>その変更をここで履歴の分岐にし、両方を保存できます。あなたのデザインはそのまま残り、相手のデザインに移動することもできます。</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>相手の変更を分岐として取り込む(&amp;T)</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>ファイルから、%1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>相手の変更を取り込めませんでした。</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>他の人の変更が履歴の分岐になりました。</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>表示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>そこへ移動(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>再試行(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>名前を付けて保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>%1 以降の作業はクラッシュから保護されていません。フォルダー「%2」に書き込めません。空きを作るか、デザインを保存してください。</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
     </message>
 </context>
 <context>

@@ -5968,6 +5968,14 @@
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 ścian bryły leży w miejscu innej ściany; zostały pominięte</translation>
     </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>Forma jest zamknięta, więc nic nie trzyma jej pokrowca: zapadnie się on w sobie. Nadaj elementom ciśnienie albo przymocuj szew do krzywej na stelażu</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>Elementy małe w stosunku do trójkątów pokrowca o krawędziach %1 mm: %2. Skróć dla nich krawędzie siatki, inaczej ich kształt będzie zgrubny</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8248,6 +8256,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>Model się tymczasem zmienił: szukaj ponownie.</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>Zatrzymano. Lista pochodzi z poprzedniego wyszukiwania.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8475,6 +8487,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>Po nazwie lub słowie z uwagi</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Eksportuj wykrój</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-szycie</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-wykroj</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Zapisywanie: %1…</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Wyeksportowano do %1</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>Nie udało się wyeksportować wykroju.</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Eksportuj pokrowiec</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-pokrowiec</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Eksportuj piankę</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-pianka</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>Eksportowanie: %1…</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>Nie udało się wyeksportować pokrowca.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>Zapisano „%1”.</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>Eksportuj powierzchnię</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>Nie udało się wyeksportować powierzchni.</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Eksportuj obraz</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>Nie udało się wyeksportować obrazu.</translation>
     </message>
 </context>
 <context>
@@ -8858,453 +8949,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>Zapisać zmiany w „%1”?</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>Nie udało się otworzyć „%1”.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n obiektu nie można użyć w tej postaci; wszystko inne działa.</numerusform>
-            <numerusform>%n obiektów nie można użyć w tej postaci; wszystko inne działa.</numerusform>
-            <numerusform>%n obiektów nie można użyć w tej postaci; wszystko inne działa.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>Nie udało się zapisać „%1”.</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>Zapisano jako %1</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Jeszcze nic</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>Przykłady nie są zainstalowane</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>Importuj stelaż</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>Odczytywanie: %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>Nie udało się zaimportować „%1”.</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>Eksportuj powierzchnię</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Wyeksportowano do %1</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>Nie udało się wyeksportować powierzchni.</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>Eksportuj obraz</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>Nie udało się wyeksportować obrazu.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>„%1” nie zostaje zastąpiony.</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-pokrowiec</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>Skany (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>Importuj skan</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>Wybierz inny plik</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>Projekt z historią (*.bolster);;Model jako tekst (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>Praca zachowana na później, ze wszystkimi krokami, jest w menu Plik &gt; Niezapisana praca.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>Za&amp;chowaj na później</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Zapisz projekt</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>Otwórz projekt lub model</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>„%1” jest otwarty w innym oknie.</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>Można go tu otworzyć do obejrzenia; zmiany zapisuje się pod inną nazwą.</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>Zapisz kopię</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-kopia</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>Projekt (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>Zapisano kopię jako %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>Przywrócono %n niezapisaną zmianę.</numerusform>
-            <numerusform>Przywrócono %n niezapisane zmiany.</numerusform>
-            <numerusform>Przywrócono %n niezapisanych zmian.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>Nowy model</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nic</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1 (uratowany)</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>&amp;Uratuj, co da się odczytać</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>Ratowanie „%1”…</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>Nic nie dało się uratować.</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>Co dało się odczytać, jest teraz w „%1”.</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>Ktoś inny zmienił „%1” po otwarciu tutaj.</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>Cudze zmiany mogą tu stać się gałęzią historii, wtedy zapisane zostanie jedno i drugie. Twój model pozostaje bez zmian, a do cudzego można przejść.</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>&amp;Przejmij zmiany jako gałąź</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>Zapisz j&amp;ako…</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>Z pliku, %1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>Nie udało się przejąć cudzych zmian.</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>Cudze zmiany są teraz gałęzią historii.</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>Co da się odczytać, trafi do nowego projektu obok. Ten plik pozostaje bez zmian.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>Jeszcze %n model jest w menu Plik &gt; Niezapisana praca.</numerusform>
-            <numerusform>Jeszcze %n modele są w menu Plik &gt; Niezapisana praca.</numerusform>
-            <numerusform>Jeszcze %n modeli jest w menu Plik &gt; Niezapisana praca.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>To wersja, nad którą ostatnio pracowano; wersja z pliku: Plik &gt; Przywróć zapisane</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>&amp;Wyczyść listę</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n zmiana</numerusform>
-            <numerusform>%n zmiany</numerusform>
-            <numerusform>%n zmian</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n zmiana cofnięta lub na innej gałęzi</numerusform>
-            <numerusform>%n zmiany cofnięte lub na innych gałęziach</numerusform>
-            <numerusform>%n zmian cofniętych lub na innych gałęziach</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>nazwy wersji lub gałęzi</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>Plik zawiera inną wersję modelu niż widoczna.</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>Model jako tekst nie może tego pomieścić, projekt może.</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>Zapisz jako &amp;projekt…</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>Pracy nie można zachować.</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1: sam model, bez historii</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>&amp;Spróbuj ponownie</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>W historii jest %n niezapisana zmiana, cofnięta lub na innej gałęzi.</numerusform>
-            <numerusform>W historii są %n niezapisane zmiany, cofnięte lub na innych gałęziach.</numerusform>
-            <numerusform>W historii jest %n niezapisanych zmian, cofniętych lub na innych gałęziach.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>Przywrócono niezapisane nazwy wersji lub gałęzi.</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Pokaż</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>&amp;Wróć do zapisanego</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>P&amp;rzejdź tam</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>„%1” nie jest już plikiem, który tu otwarto lub zapisano.</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>Zapisz model pod inną nazwą albo nadaj temu, co tam teraz jest, inną nazwę obok. Jeśli to uszkodzony projekt, Plik &gt; Otwórz uratuje z niego to, co da się odczytać.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>&amp;Zachowaj drugi plik obok i zapisz</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>To, co było w miejscu „%1”, jest teraz w „%2”.</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>Nie udało się przywrócić niezapisanej pracy nad „%1”.</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>Niezapisana praca nad „%1” jest uszkodzona.</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>Co dało się z niej odczytać, jest teraz w „%1”.</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>Nic nie dało się z niej odczytać.</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>Nie dotyczy to niczego, co zapisano. Uszkodzona praca pozostaje w menu Plik &gt; Niezapisana praca.</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>Otwórz &amp;uratowane</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>Przenieś do &amp;kosza</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>Od %1 nic nie chroni Twojej pracy przed awarią: Bolster nie może zapisywać w folderze „%2”. Zwolnij tam miejsce lub zapisz model.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Zapisz</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1, %2, uszkodzony</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>Jeszcze niezapisane: %1.</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>Przywracanie pracy nad „%1”…</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>Praca pozostaje w menu Plik &gt; Niezapisana praca</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>Uszkodzona praca jest zachowana w menu Plik &gt; Niezapisana praca</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>Eksportuj wykrój</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-wykroj</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>Nie udało się wyeksportować wykroju.</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>Importuj wykrój</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>Wykroje (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-szycie</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Zapisywanie: %1…</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>Eksportuj pokrowiec</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>Eksportuj piankę</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-pianka</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>Eksportowanie: %1…</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>Nie udało się wyeksportować pokrowca.</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>Projekty i modele (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>Stelaże (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>Upraszczanie: %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>Zapisano „%1”.</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>Zaimportowano wykrój. Różnice względem pliku:</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dzień po włożeniu do kosza.</numerusform>
-            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dni po włożeniu do kosza.</numerusform>
-            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dni po włożeniu do kosza.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9448,10 +9092,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>„%1” nie zostaje zastąpiony.</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Odczytywanie: %1…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>Elementy na płasko</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>Odkształcenie: %1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 i więcej</translation>
     </message>
 </context>
 <context>
@@ -9720,6 +9387,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Stelaże (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Skany (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>Importuj stelaż</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Importuj skan</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>Importuj wykrój</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>Wykroje (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Wybierz inny plik</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>Zaimportowano wykrój. Różnice względem pliku:</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>Upraszczanie: %1…</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Zapisywanie: %1…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>Nie udało się zaimportować „%1”.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9875,6 +9589,73 @@
     <message>
         <source>Jobs</source>
         <translation>Zadania</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>Nowy model</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>Jeszcze %n model jest w menu Plik &gt; Niezapisana praca.</numerusform>
+            <numerusform>Jeszcze %n modele są w menu Plik &gt; Niezapisana praca.</numerusform>
+            <numerusform>Jeszcze %n modeli jest w menu Plik &gt; Niezapisana praca.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Przywracanie pracy nad „%1”…</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>Praca pozostaje w menu Plik &gt; Niezapisana praca</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>Nie udało się przywrócić niezapisanej pracy nad „%1”.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>Przywrócono %n niezapisaną zmianę.</numerusform>
+            <numerusform>Przywrócono %n niezapisane zmiany.</numerusform>
+            <numerusform>Przywrócono %n niezapisanych zmian.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>W historii jest %n niezapisana zmiana, cofnięta lub na innej gałęzi.</numerusform>
+            <numerusform>W historii są %n niezapisane zmiany, cofnięte lub na innych gałęziach.</numerusform>
+            <numerusform>W historii jest %n niezapisanych zmian, cofniętych lub na innych gałęziach.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>Przywrócono niezapisane nazwy wersji lub gałęzi.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Pokaż</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>&amp;Wróć do zapisanego</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1, %2, uszkodzony</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nic</translation>
     </message>
 </context>
 <context>
@@ -10192,6 +9973,53 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>Nie przyjęto: %1 to za dużo, najwyżej %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Projekty i modele (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>To wersja, nad którą ostatnio pracowano; wersja z pliku: Plik &gt; Przywróć zapisane</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>Otwórz projekt lub model</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>„%1” jest otwarty w innym oknie.</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>Można go tu otworzyć do obejrzenia; zmiany zapisuje się pod inną nazwą.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n obiektu nie można użyć w tej postaci; wszystko inne działa.</numerusform>
+            <numerusform>%n obiektów nie można użyć w tej postaci; wszystko inne działa.</numerusform>
+            <numerusform>%n obiektów nie można użyć w tej postaci; wszystko inne działa.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Pokaż</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Jeszcze nic</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>&amp;Wyczyść listę</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>Przykłady nie są zainstalowane</translation>
     </message>
 </context>
 <context>
@@ -11189,10 +11017,232 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (uratowany)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>Nie udało się otworzyć „%1”.</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>Co da się odczytać, trafi do nowego projektu obok. Ten plik pozostaje bez zmian.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>&amp;Uratuj, co da się odczytać</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>Ratowanie „%1”…</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>Nic nie dało się uratować.</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>Co dało się odczytać, jest teraz w „%1”.</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>Niezapisana praca nad „%1” jest uszkodzona.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dzień po włożeniu do kosza.</numerusform>
+            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dni po włożeniu do kosza.</numerusform>
+            <numerusform>Co da się odczytać, trafi do nowego projektu. Czego już nie chcesz, zostaje usunięte %n dni po włożeniu do kosza.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>Przenieś do &amp;kosza</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>Uszkodzona praca jest zachowana w menu Plik &gt; Niezapisana praca</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>Co dało się z niej odczytać, jest teraz w „%1”.</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>Nic nie dało się z niej odczytać.</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>Nie dotyczy to niczego, co zapisano. Uszkodzona praca pozostaje w menu Plik &gt; Niezapisana praca.</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>Otwórz &amp;uratowane</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>Za&amp;trzymaj</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>Projekt z historią (*.bolster);;Model jako tekst (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n zmiana</numerusform>
+            <numerusform>%n zmiany</numerusform>
+            <numerusform>%n zmian</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n zmiana cofnięta lub na innej gałęzi</numerusform>
+            <numerusform>%n zmiany cofnięte lub na innych gałęziach</numerusform>
+            <numerusform>%n zmian cofniętych lub na innych gałęziach</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>nazwy wersji lub gałęzi</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>Plik zawiera inną wersję modelu niż widoczna.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Jeszcze niezapisane: %1.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Zapisz kopię</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-kopia</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>Projekt (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>Zapisać zmiany w „%1”?</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>Model jako tekst nie może tego pomieścić, projekt może.</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>Praca zachowana na później, ze wszystkimi krokami, jest w menu Plik &gt; Niezapisana praca.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>Zapisz jako &amp;projekt…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>Za&amp;chowaj na później</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>Pracy nie można zachować.</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Zapisz projekt</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Zapisano kopię jako %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Zapisano jako %1</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1: sam model, bez historii</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>„%1” nie jest już plikiem, który tu otwarto lub zapisano.</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>Zapisz model pod inną nazwą albo nadaj temu, co tam teraz jest, inną nazwę obok. Jeśli to uszkodzony projekt, Plik &gt; Otwórz uratuje z niego to, co da się odczytać.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>&amp;Zachowaj drugi plik obok i zapisz</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>Nie udało się zapisać „%1”.</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>To, co było w miejscu „%1”, jest teraz w „%2”.</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>Ktoś inny zmienił „%1” po otwarciu tutaj.</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>Cudze zmiany mogą tu stać się gałęzią historii, wtedy zapisane zostanie jedno i drugie. Twój model pozostaje bez zmian, a do cudzego można przejść.</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>&amp;Przejmij zmiany jako gałąź</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>Z pliku, %1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>Nie udało się przejąć cudzych zmian.</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>Cudze zmiany są teraz gałęzią historii.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Pokaż</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>P&amp;rzejdź tam</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Spróbuj ponownie</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Zapisz j&amp;ako…</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>Od %1 nic nie chroni Twojej pracy przed awarią: Bolster nie może zapisywać w folderze „%2”. Zwolnij tam miejsce lub zapisz model.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Zapisz</translation>
     </message>
 </context>
 <context>

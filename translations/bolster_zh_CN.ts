@@ -5960,6 +5960,14 @@
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>该形状有 %1 个面与其他面重合，已略去</translation>
     </message>
+    <message>
+        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
+        <translation>形体是封闭的，没有东西固定它的面套：面套会塌陷。请给样片加压力，或把一条缝固定到骨架上的曲线</translation>
+    </message>
+    <message>
+        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
+        <translation>相对于面套三角形（边长 %1 mm）偏小的样片：%2。请为它们缩短网格边长，否则形状会很粗糙</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8236,6 +8244,10 @@
         <source>The design has changed meanwhile: look again.</source>
         <translation>设计在此期间已更改：请重新查找。</translation>
     </message>
+    <message>
+        <source>Stopped. The list is that of the search before.</source>
+        <translation>已停止。列表是上一次查找的结果。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -8463,6 +8475,85 @@
     <message>
         <source>By its name, or by a word of its note</source>
         <translation>按名称或备注中的词</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportFlow</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>导出样板</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-工艺单</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-样板</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>正在写入 %1…</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>已导出到 %1</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>无法导出样板。</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>导出面套</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-面套</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>导出泡沫体</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-泡沫</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>正在导出 %1…</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>无法导出面套。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>已写入“%1”。</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>导出曲面</translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation>无法导出曲面。</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation>无法导出图片。</translation>
     </message>
 </context>
 <context>
@@ -8832,439 +8923,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::FileFlow</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
-    <message>
-        <source>Save the changes in &quot;%1&quot;?</source>
-        <translation>保存对“%1”的更改吗？</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be opened.</source>
-        <translation>无法打开“%1”。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation>
-            <numerusform>%n 个元素按现状无法使用；其余均正常。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be saved.</source>
-        <translation>无法保存“%1”。</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>已保存为 %1</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>暂无</translation>
-    </message>
-    <message>
-        <source>The samples are not installed</source>
-        <translation>未安装示例</translation>
-    </message>
-    <message>
-        <source>Import frame</source>
-        <translation>导入骨架</translation>
-    </message>
-    <message>
-        <source>Reading %1 …</source>
-        <translation>正在读取 %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be imported.</source>
-        <translation>无法导入“%1”。</translation>
-    </message>
-    <message>
-        <source>Export surface</source>
-        <translation>导出曲面</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>已导出到 %1</translation>
-    </message>
-    <message>
-        <source>The surface could not be exported.</source>
-        <translation>无法导出曲面。</translation>
-    </message>
-    <message>
-        <source>Export picture</source>
-        <translation>导出图片</translation>
-    </message>
-    <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>The picture could not be exported.</source>
-        <translation>无法导出图片。</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not replaced.</source>
-        <translation>未替换“%1”。</translation>
-    </message>
-    <message>
-        <source>-cover</source>
-        <translation>-面套</translation>
-    </message>
-    <message>
-        <source>Scans (%1)</source>
-        <translation>扫描 (%1)</translation>
-    </message>
-    <message>
-        <source>Import scan</source>
-        <translation>导入扫描</translation>
-    </message>
-    <message>
-        <source>Choose another file</source>
-        <translation>选择其他文件</translation>
-    </message>
-    <message>
-        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
-        <translation>带历史的项目 (*.bolster);;文本设计 (*.json)</translation>
-    </message>
-    <message>
-        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
-        <translation>留待以后的工作连同所有步骤位于“文件 &gt; 未保存的工作”。</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for later</source>
-        <translation>留待以后(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>保存项目</translation>
-    </message>
-    <message>
-        <source>Open project or design</source>
-        <translation>打开项目或设计</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is open in another window.</source>
-        <translation>“%1”已在另一窗口中打开。</translation>
-    </message>
-    <message>
-        <source>It can be opened here to look at; what is changed is saved under another name.</source>
-        <translation>可在此打开查看；更改将以其他名称保存。</translation>
-    </message>
-    <message>
-        <source>Save a copy</source>
-        <translation>保存副本</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-副本</translation>
-    </message>
-    <message>
-        <source>Project (*.%1)</source>
-        <translation>项目 (*.%1)</translation>
-    </message>
-    <message>
-        <source>Saved a copy as %1</source>
-        <translation>副本已保存为 %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits restored.</source>
-        <translation>
-            <numerusform>已恢复 %n 步未保存的编辑。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New design</source>
-        <translation>新设计</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>暂无</translation>
-    </message>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation>%1（已恢复）</translation>
-    </message>
-    <message>
-        <source>&amp;Recover what can be read</source>
-        <translation>恢复可读取的内容(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Recovering &quot;%1&quot; …</source>
-        <translation>正在恢复“%1”…</translation>
-    </message>
-    <message>
-        <source>Nothing could be recovered.</source>
-        <translation>没有可恢复的内容。</translation>
-    </message>
-    <message>
-        <source>What could be read is in &quot;%1&quot; now.</source>
-        <translation>可读取的内容现已在“%1”中。</translation>
-    </message>
-    <message>
-        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
-        <translation>自在此打开后，他人更改了“%1”。</translation>
-    </message>
-    <message>
-        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
-        <translation>可将其更改作为历史的一个分支纳入，然后一并保存。您的设计保持不变，也可转到对方的设计。</translation>
-    </message>
-    <message>
-        <source>&amp;Take their changes in as a branch</source>
-        <translation>将其更改作为分支纳入(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>另存为(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>From the file, %1</source>
-        <translation>来自文件，%1</translation>
-    </message>
-    <message>
-        <source>Their changes could not be taken in.</source>
-        <translation>无法纳入其更改。</translation>
-    </message>
-    <message>
-        <source>The changes of somebody else are a branch of the history now.</source>
-        <translation>他人的更改现已是历史的一个分支。</translation>
-    </message>
-    <message>
-        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
-        <translation>可读取的内容将放入旁边的新项目。此文件保持不变。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more designs are under File &gt; Unsaved work.</source>
-        <translation>
-            <numerusform>另有 %n 个设计位于“文件 &gt; 未保存的工作”。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
-        <translation>这是您上次所在的版本；文件中的版本可通过“文件 &gt; 恢复到已保存”找到</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>清空此列表(&amp;C)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits</source>
-        <translation>
-            <numerusform>%n 步编辑</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edits that were undone or are on other branches</source>
-        <translation>
-            <numerusform>%n 步已撤销或在其他分支上的编辑</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>names of versions or branches</source>
-        <translation>版本或分支的名称</translation>
-    </message>
-    <message>
-        <source>The file holds another version of the design than the one you see.</source>
-        <translation>文件中是设计的另一版本，与您看到的不同。</translation>
-    </message>
-    <message>
-        <source>A design as text cannot hold that, a project can.</source>
-        <translation>文本设计无法包含这些，项目可以。</translation>
-    </message>
-    <message>
-        <source>Save as &amp;project …</source>
-        <translation>另存为项目(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>The work cannot be kept.</source>
-        <translation>无法保留此工作。</translation>
-    </message>
-    <message>
-        <source>%1: the design alone, without its history</source>
-        <translation>%1：仅设计，不含历史</translation>
-    </message>
-    <message>
-        <source>&amp;Try again</source>
-        <translation>重试(&amp;T)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unsaved edits are in the history, undone or on other branches.</source>
-        <translation>
-            <numerusform>%n 步未保存的编辑在历史中，已撤销或在其他分支上。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Unsaved names of versions or branches restored.</source>
-        <translation>已恢复未保存的版本或分支名称。</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>显示(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Go &amp;back to saved</source>
-        <translation>返回已保存(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Go &amp;there</source>
-        <translation>转到该处(&amp;T)</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
-        <translation>“%1”已不是在此打开或保存的文件。</translation>
-    </message>
-    <message>
-        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
-        <translation>请以其他名称保存您的设计，或让现有文件改名放在旁边。若那是损坏的项目，“文件 &gt; 打开”可恢复其中可读取的内容。</translation>
-    </message>
-    <message>
-        <source>&amp;Keep the other file beside it, and save</source>
-        <translation>将另一文件保留在旁边并保存(&amp;K)</translation>
-    </message>
-    <message>
-        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
-        <translation>原在“%1”处的内容现已在“%2”中。</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
-        <translation>无法恢复“%1”未保存的工作。</translation>
-    </message>
-    <message>
-        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
-        <translation>“%1”未保存的工作已损坏。</translation>
-    </message>
-    <message>
-        <source>What could be read of it is in &quot;%1&quot; now.</source>
-        <translation>其中可读取的内容现已在“%1”中。</translation>
-    </message>
-    <message>
-        <source>Nothing of it could be read.</source>
-        <translation>其中没有可读取的内容。</translation>
-    </message>
-    <message>
-        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
-        <translation>已保存的内容不受影响。损坏的工作保留在“文件 &gt; 未保存的工作”。</translation>
-    </message>
-    <message>
-        <source>Open what was &amp;recovered</source>
-        <translation>打开恢复的内容(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Put it into the &amp;bin</source>
-        <translation>放入回收站(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
-        <translation>自 %1 起的操作没有崩溃保护：Bolster 无法写入文件夹“%2”。请在该处腾出空间，或保存设计。</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>%1, %2, damaged</source>
-        <translation>%1，%2，已损坏</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>尚未保存：%1。</translation>
-    </message>
-    <message>
-        <source>Restoring the work on &quot;%1&quot; …</source>
-        <translation>正在恢复“%1”的工作…</translation>
-    </message>
-    <message>
-        <source>The work stays under File &gt; Unsaved work</source>
-        <translation>工作保留在“文件 &gt; 未保存的工作”</translation>
-    </message>
-    <message>
-        <source>The damaged work is kept under File &gt; Unsaved work</source>
-        <translation>损坏的工作保留在“文件 &gt; 未保存的工作”</translation>
-    </message>
-    <message>
-        <source>Export pattern</source>
-        <translation>导出样板</translation>
-    </message>
-    <message>
-        <source>-pattern</source>
-        <translation>-样板</translation>
-    </message>
-    <message>
-        <source>%1 (*.%2)</source>
-        <translation>%1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>The pattern could not be exported.</source>
-        <translation>无法导出样板。</translation>
-    </message>
-    <message>
-        <source>Import pattern</source>
-        <translation>导入样板</translation>
-    </message>
-    <message>
-        <source>Patterns (%1)</source>
-        <translation>样板 (%1)</translation>
-    </message>
-    <message>
-        <source>-sewing</source>
-        <translation>-工艺单</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>正在写入 %1…</translation>
-    </message>
-    <message>
-        <source>Export cover</source>
-        <translation>导出面套</translation>
-    </message>
-    <message>
-        <source>Export foam</source>
-        <translation>导出泡沫体</translation>
-    </message>
-    <message>
-        <source>-foam</source>
-        <translation>-泡沫</translation>
-    </message>
-    <message>
-        <source>Exporting %1 …</source>
-        <translation>正在导出 %1…</translation>
-    </message>
-    <message>
-        <source>The cover could not be exported.</source>
-        <translation>无法导出面套。</translation>
-    </message>
-    <message>
-        <source>Projects and designs (%1)</source>
-        <translation>项目和设计 (%1)</translation>
-    </message>
-    <message>
-        <source>Frames (%1)</source>
-        <translation>骨架 (%1)</translation>
-    </message>
-    <message>
-        <source>Simplifying %1 …</source>
-        <translation>正在简化 %1…</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is written.</source>
-        <translation>已写入“%1”。</translation>
-    </message>
-    <message>
-        <source>The pattern is imported. What is otherwise than in the file:</source>
-        <translation>样板已导入。与文件不同之处：</translation>
-    </message>
-    <message numerus="yes">
-        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
-        <translation>
-            <numerusform>可读取的内容将放入新项目。不再需要的内容放入回收站 %n 天后删除。</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9406,10 +9064,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileTalk</name>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>未替换“%1”。</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>正在读取 %1…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FlatPiecesView</name>
     <message>
         <source>Pieces laid flat</source>
         <translation>展平的样片</translation>
+    </message>
+    <message>
+        <source>Strain: %1</source>
+        <translation>应变：%1</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 及以上</translation>
     </message>
 </context>
 <context>
@@ -9672,6 +9353,53 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportFlow</name>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>骨架 (%1)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>扫描 (%1)</translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation>导入骨架</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>导入扫描</translation>
+    </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>导入样板</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>样板 (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>选择其他文件</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>样板已导入。与文件不同之处：</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>正在简化 %1…</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>正在写入 %1…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation>无法导入“%1”。</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message>
         <source>Import pattern</source>
@@ -9819,6 +9547,67 @@
     <message>
         <source>Jobs</source>
         <translation>任务</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::LeftWork</name>
+    <message>
+        <source>New design</source>
+        <translation>新设计</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>另有 %n 个设计位于“文件 &gt; 未保存的工作”。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>正在恢复“%1”的工作…</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>工作保留在“文件 &gt; 未保存的工作”</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>无法恢复“%1”未保存的工作。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>已恢复 %n 步未保存的编辑。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n 步未保存的编辑在历史中，已撤销或在其他分支上。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>已恢复未保存的版本或分支名称。</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>显示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>返回已保存(&amp;B)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1，%2，已损坏</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>暂无</translation>
     </message>
 </context>
 <context>
@@ -10134,6 +9923,51 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>未采用：%1 过大，最多 %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::OpenFlow</name>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>项目和设计 (%1)</translation>
+    </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>这是您上次所在的版本；文件中的版本可通过“文件 &gt; 恢复到已保存”找到</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>打开项目或设计</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>“%1”已在另一窗口中打开。</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>可在此打开查看；更改将以其他名称保存。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation>
+            <numerusform>%n 个元素按现状无法使用；其余均正常。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>显示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>清空此列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation>未安装示例</translation>
     </message>
 </context>
 <context>
@@ -11127,10 +10961,226 @@
     </message>
 </context>
 <context>
+    <name>bolster::Rescue</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1（已恢复）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation>无法打开“%1”。</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>可读取的内容将放入旁边的新项目。此文件保持不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>恢复可读取的内容(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>正在恢复“%1”…</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>没有可恢复的内容。</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>可读取的内容现已在“%1”中。</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>“%1”未保存的工作已损坏。</translation>
+    </message>
+    <message numerus="yes">
+        <source>What can be read goes into a new project. What you do not want any more is deleted %n days after it was put into the bin.</source>
+        <translation>
+            <numerusform>可读取的内容将放入新项目。不再需要的内容放入回收站 %n 天后删除。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>放入回收站(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>损坏的工作保留在“文件 &gt; 未保存的工作”</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>其中可读取的内容现已在“%1”中。</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>其中没有可读取的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>已保存的内容不受影响。损坏的工作保留在“文件 &gt; 未保存的工作”。</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>打开恢复的内容(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>bolster::RunRow</name>
     <message>
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SaveFlow</name>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>带历史的项目 (*.bolster);;文本设计 (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n 步编辑</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n 步已撤销或在其他分支上的编辑</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>版本或分支的名称</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>文件中是设计的另一版本，与您看到的不同。</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>尚未保存：%1。</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>保存副本</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-副本</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>项目 (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation>保存对“%1”的更改吗？</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>文本设计无法包含这些，项目可以。</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>留待以后的工作连同所有步骤位于“文件 &gt; 未保存的工作”。</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>另存为项目(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>留待以后(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>无法保留此工作。</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>副本已保存为 %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1：仅设计，不含历史</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>“%1”已不是在此打开或保存的文件。</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>请以其他名称保存您的设计，或让现有文件改名放在旁边。若那是损坏的项目，“文件 &gt; 打开”可恢复其中可读取的内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>将另一文件保留在旁边并保存(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation>无法保存“%1”。</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>原在“%1”处的内容现已在“%2”中。</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>自在此打开后，他人更改了“%1”。</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>可将其更改作为历史的一个分支纳入，然后一并保存。您的设计保持不变，也可转到对方的设计。</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>将其更改作为分支纳入(&amp;T)</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>来自文件，%1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>无法纳入其更改。</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>他人的更改现已是历史的一个分支。</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>显示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>转到该处(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>重试(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>自 %1 起的操作没有崩溃保护：Bolster 无法写入文件夹“%2”。请在该处腾出空间，或保存设计。</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
     </message>
 </context>
 <context>

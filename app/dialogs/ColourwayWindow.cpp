@@ -39,8 +39,8 @@ ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, F
     }
     // What is compared is looked at from one place.
     for (const int i : {0, 1}) {
-        CoverView& other = pane(1 - i).surface();
-        connect(&pane(i).surface().navigation(), &CoverNavigation::moved, this,
+        CoverView& other = pane(1 - i).coverView();
+        connect(&pane(i).coverView().navigation(), &CoverNavigation::moved, this,
                 [this, &other](const Camera& camera) {
                     if (std::exchange(m_following, true))
                         return;

@@ -100,8 +100,8 @@ void CompareWindow::tieViews(VersionPane& moved, VersionPane& other)
         move();
         m_following = false;
     };
-    connect(&moved.surface().navigation(), &CoverNavigation::moved, this, [follow, &other](const Camera& camera) {
-        follow([&] { other.surface().navigation().setCamera(camera); });
+    connect(&moved.coverView().navigation(), &CoverNavigation::moved, this, [follow, &other](const Camera& camera) {
+        follow([&] { other.coverView().navigation().setCamera(camera); });
     });
     connect(&moved.pattern().navigation(), &PatternNavigation::transformChanged, this,
             [follow, &other](const PatternTransform& transform) {

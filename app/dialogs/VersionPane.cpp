@@ -22,11 +22,11 @@ VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     , m_title(new QLabel)
     , m_views(new QSplitter(Qt::Vertical))
     , m_pattern(new PatternView(m_document, m_selection, m_problems))
-    , m_surface(new CoverView(m_document, m_selection))
+    , m_coverView(new CoverView(m_document, m_selection))
 {
-    m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
-    m_surface->visibility().setLayerVisible(CoverView::Layer::Checker, false);
-    m_computing = new QLabel(tr("Computing the cover \u2026"), m_surface);
+    m_coverView->setSoftwareRenderer(std::make_unique<RayRenderer>());
+    m_coverView->visibility().setLayerVisible(CoverView::Layer::Checker, false);
+    m_computing = new QLabel(tr("Computing the cover \u2026"), m_coverView);
     m_computing->setObjectName(QStringLiteral("computing"));
     m_computing->setAutoFillBackground(true);
     m_computing->setFrameShape(QFrame::StyledPanel);
@@ -38,7 +38,7 @@ VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     m_title->setTextFormat(Qt::PlainText);
     m_title->setContentsMargins(8, 6, 8, 6);
     m_views->addWidget(m_pattern);
-    m_views->addWidget(m_surface);
+    m_views->addWidget(m_coverView);
     m_views->setSizes({100, 130});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -46,8 +46,8 @@ VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     layout->addWidget(m_title);
     layout->addWidget(m_views, 1);
     m_pattern->installEventFilter(this);
-    m_surface->installEventFilter(this);
-    connect(m_covers.get(), &CoverLink::refined, &m_surface->shown(), &ShownScene::setCover);
+    m_coverView->installEventFilter(this);
+    connect(m_covers.get(), &CoverLink::refined, &m_coverView->shown(), &ShownScene::setCover);
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, &VersionPane::showSurface);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &VersionPane::showState);
     showState();
@@ -61,7 +61,7 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_selection.clear();
     m_document.reset(design);
     m_covers->setDesign(design);
-    m_surface->shown().setFiles(files);
+    m_coverView->shown().setFiles(files);
     m_pattern->navigation().fitAll();
     m_fitCover = true;
     if (m_followed)
@@ -81,11 +81,11 @@ void VersionPane::follow(SolverLink& solver)
 
 void VersionPane::showSurface(const SurfaceMeshPtr& surface)
 {
-    m_surface->shown().setSurface(surface);
+    m_coverView->shown().setSurface(surface);
     m_pattern->shown().setSurface(surface);
     m_covers->setSurface(surface);
     if (surface && std::exchange(m_fitCover, false))
-        m_surface->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
+        m_coverView->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
 }
 
 void VersionPane::showState()
@@ -101,7 +101,7 @@ void VersionPane::showState()
 
 void VersionPane::setFabrics(std::map<ElementId, FabricMapsPtr> fabrics)
 {
-    m_surface->shown().setFabricMaps(std::move(fabrics));
+    m_coverView->shown().setFabricMaps(std::move(fabrics));
 }
 
 void VersionPane::showForLooks()
@@ -110,13 +110,13 @@ void VersionPane::showForLooks()
     m_views->setSizes({100, 300});
     using Layer = CoverView::Layer;
     for (const Layer layer : {Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams})
-        m_surface->visibility().setLayerVisible(layer, false);
+        m_coverView->visibility().setLayerVisible(layer, false);
 }
 
 void VersionPane::setFiles(const DesignFiles& files)
 {
     m_solver->setFiles(files);
-    m_surface->shown().setFiles(files);
+    m_coverView->shown().setFiles(files);
 }
 
 /// What would begin to change something moves the picture instead.

@@ -44,7 +44,7 @@ public:
     void showForLooks();
     const Design& design() const { return m_document.design(); }
     Selection& selection() { return m_selection; }
-    CoverView& surface() { return *m_surface; }
+    CoverView& coverView() { return *m_coverView; }
     PatternView& pattern() { return *m_pattern; }
 
 protected:
@@ -64,7 +64,7 @@ private:
     QLabel* m_computing; ///< over the 3D view: what is seen there is not yet the cover
     QSplitter* m_views;
     PatternView* m_pattern;
-    CoverView* m_surface;
+    CoverView* m_coverView;
     bool m_fitCover = false;
 };
 

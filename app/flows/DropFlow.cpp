@@ -4,7 +4,7 @@
 #include "Background.h"
 #include "DesignFile.h"
 #include "FabricCommands.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "FileFormats.h"
 #include "OwnWindow.h"
 
@@ -13,6 +13,7 @@
 #include <QProgressDialog>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace bolster {
@@ -37,9 +38,17 @@ bool hasOnlyFabrics(const QString& file)
     return fabrics && !others;
 }
 
+/// By its ending.
+bool takes(const QString& file)
+{
+    using enum FileUse;
+    return std::ranges::any_of(std::array{Design, Frame, Scan, Pattern, Picture},
+                               [&](FileUse use) { return isFileOf(use, file); });
+}
+
 } // namespace
 
-DropFlow::DropFlow(FileFlow& files, FabricCommands& fabrics, QWidget* window)
+DropFlow::DropFlow(FileFlows& files, FabricCommands& fabrics, QWidget* window)
     : QObject(window)
     , m_files(files)
     , m_fabrics(fabrics)
@@ -83,7 +92,7 @@ void DropFlow::goOn()
 
 void DropFlow::take(const QString& file)
 {
-    if (!QFileInfo(file).isFile() || !(FileFlow::takes(file) || isFileOf(FileUse::Picture, file)))
+    if (!QFileInfo(file).isFile() || !takes(file))
         tell(m_window, QMessageBox::Information, tr("\"%1\" cannot be opened.").arg(QFileInfo(file).fileName()),
              whyNot(file));
     else if (isFileOf(FileUse::Design, file))
@@ -91,7 +100,17 @@ void DropFlow::take(const QString& file)
     else if (isFileOf(FileUse::Picture, file))
         m_fabrics.choosePicture(noElement, file);
     else
-        m_files.drop(file);
+        import(file);
+}
+
+void DropFlow::import(const QString& file)
+{
+    if (isFileOf(FileUse::Frame, file))
+        m_files.imports.importFrame(file); // a PLY too: a mesh is dropped more often than a scan
+    else if (isFileOf(FileUse::Scan, file))
+        m_files.imports.importScan(file);
+    else
+        m_files.imports.importPattern(file);
 }
 
 void DropFlow::takeDesign(const QString& file)
@@ -102,7 +121,7 @@ void DropFlow::takeDesign(const QString& file)
         if (fabrics)
             m_fabrics.importFabrics(file);
         else if (!std::exchange(m_opened, true))
-            m_files.open(file);
+            m_files.opening.open(file);
         else if (!m_elsewhere(file))
             tell(m_window, QMessageBox::Warning, tr("\"%1\" cannot be opened.").arg(QFileInfo(file).fileName()),
                  tr("The system did not start the program again for another window. Open it from here instead."));

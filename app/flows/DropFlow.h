@@ -10,13 +10,13 @@
 namespace bolster {
 
 class FabricCommands;
-class FileFlow;
+struct FileFlows;
 
 class DropFlow : public QObject {
     Q_OBJECT
 
 public:
-    DropFlow(FileFlow& files, FabricCommands& fabrics, QWidget* window);
+    DropFlow(FileFlows& files, FabricCommands& fabrics, QWidget* window);
 
     /// The first design is opened here, others in windows of their own; then what is to come to it is imported.
     void drop(const QStringList& files);
@@ -28,10 +28,11 @@ private:
     void goOn();
     void take(const QString& file);
     void takeDesign(const QString& file);
+    void import(const QString& file);
     bool occupied() const;
     QString whyNot(const QString& file) const;
 
-    FileFlow& m_files;
+    FileFlows& m_files;
     FabricCommands& m_fabrics;
     QWidget* m_window;
     std::function<bool(const QString&)> m_elsewhere;

@@ -129,6 +129,7 @@ CauseWindow::Found CauseWindow::explain(const Wanted& wanted, const std::functio
 {
     Found found;
     found.number = wanted.number;
+    found.design = wanted.input.design;
     found.sound = !wanted.sound.empty();
     try {
         FitTarget scan, sound;
@@ -159,9 +160,6 @@ void CauseWindow::find()
     }
     m_document.cancelGesture();
     m_start = m_document.committed();
-    m_found.reset();
-    m_list->clear();
-    m_alike->clear();
     m_run->setRunning(true);
     m_said->setText(tr("Covers with each cause are solved \u2026"));
     m_job.request({m_run->newRun(), {m_start, m_session.files()}, scan, m_sound->form()}, true);
@@ -172,7 +170,7 @@ void CauseWindow::stop()
     m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
-    m_said->setText(tr("Stopped."));
+    m_said->setText(m_found ? tr("Stopped. The list is that of the search before.") : tr("Stopped."));
 }
 
 void CauseWindow::take(Found found)
@@ -180,6 +178,9 @@ void CauseWindow::take(Found found)
     if (!m_run->isNow(found.number))
         return;
     m_run->setRunning(false);
+    m_found.reset();
+    m_list->clear();
+    m_alike->clear();
     if (!found.problem.empty()) {
         m_said->setText(translated(found.problem));
         return;
@@ -212,7 +213,7 @@ void CauseWindow::fill()
     for (std::size_t k = 0; k < std::min(shownCauses, ranked.size()); ++k) {
         const Cause& cause = m_found->causes[ranked[k].cause];
         auto* row =
-            new QTreeWidgetItem(m_list, {causeText(m_start, cause), amountText(ranked[k], cause.kind),
+            new QTreeWidgetItem(m_list, {causeText(m_found->design, cause), amountText(ranked[k], cause.kind),
                                          percentText(std::round(100 * std::max(ranked[k].share, 0.0)) / 100),
                                          percentText(std::round(100 * ranked[k].probability) / 100)});
         row->setToolTip(0, row->text(0));
@@ -233,7 +234,7 @@ void CauseWindow::rowChosen()
         m_selection.set({id});
     QStringList names;
     for (std::size_t k = 0; k < std::min(namedAlike, one.alike.size()); ++k)
-        names << causeText(m_start, m_found->causes[one.alike[k]]);
+        names << causeText(m_found->design, m_found->causes[one.alike[k]]);
     if (one.alike.size() > namedAlike)
         names << tr("and %n others", nullptr, static_cast<int>(one.alike.size() - namedAlike));
     m_alike->setText(names.empty()

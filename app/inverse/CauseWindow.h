@@ -30,11 +30,12 @@ public:
     struct Found {
         int number = 0;
         Message problem; ///< why there is no answer; empty when there is one
+        Design design;   ///< that the piece was compared with
         std::vector<Cause> causes;
         Explanations explained;
         bool sound = false; ///< with the scan of a sound piece
     };
-    /// Nothing before the first answer.
+    /// The last answer, also while another one is looked for or after that was stopped; nothing before the first.
     const std::optional<Found>& found() const { return m_found; }
 
 private:

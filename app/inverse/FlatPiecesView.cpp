@@ -1,6 +1,7 @@
 #include "FlatPiecesView.h"
 
 #include "MapScale.h"
+#include "Units.h"
 #include "ViewColors.h"
 
 #include <QPainter>
@@ -14,13 +15,22 @@ namespace {
 
 constexpr double margin = 14;      // pixels
 constexpr double roomForName = 60; // pixels: narrower pieces have none
-constexpr float colourSteps = 24;  // triangles of a step are painted together
+constexpr int colourSteps = 24;    // triangles of a step are painted together
+constexpr int scaleWidth = 120;    // pixels of the bar with the colours
 
 /// Where a piece lies in the layout; nothing where it has become no patch.
 std::optional<Vec2> placeOf(const FormMade& made, std::size_t piece)
 {
     const auto* patch = made.pattern.design.find<Patch>(made.pattern.patches[piece]);
     return patch ? std::optional(patch->position) : std::nullopt;
+}
+
+/// Of a step from 0, no strain, to colourSteps, the limit.
+QColor stepColor(int step)
+{
+    const MapScale scale{MapScale::Kind::Sequential, colourSteps};
+    const MapScale::Rgba color = scale.color(static_cast<float>(step));
+    return {color[0], color[1], color[2]};
 }
 
 QPointF toPoint(const Vec2& at)
@@ -44,7 +54,12 @@ void FlatPiecesView::show(std::shared_ptr<const FormMade> made, double limit)
     update();
 }
 
-/// Millimetres of the layout to pixels, all of it inside.
+int FlatPiecesView::scaleHeight() const
+{
+    return fontMetrics().height() + 12;
+}
+
+/// Millimetres of the layout to pixels, all of it inside, above the scale.
 QTransform FlatPiecesView::fitting() const
 {
     Box2 box;
@@ -54,10 +69,11 @@ QTransform FlatPiecesView::fitting() const
                 box.extend(at + *place);
     if (box.isEmpty())
         return {};
+    const double high = height() - scaleHeight();
     const double scale = std::min((width() - 2 * margin) / std::max(box.sizes().x(), 1.0),
-                                  (height() - 2 * margin) / std::max(box.sizes().y(), 1.0));
+                                  (high - 2 * margin) / std::max(box.sizes().y(), 1.0));
     QTransform fit;
-    fit.translate(width() / 2.0, height() / 2.0);
+    fit.translate(width() / 2.0, high / 2.0);
     fit.scale(scale, -scale);
     fit.translate(-box.center().x(), -box.center().y());
     return fit;
@@ -74,6 +90,28 @@ void FlatPiecesView::paintEvent(QPaintEvent*)
     const QTransform fit = fitting();
     for (std::size_t p = 0; p < m_made->flat.size(); ++p)
         paintPiece(painter, fit, p);
+    paintScale(painter);
+}
+
+/// Below the pieces: which colour is how much strain.
+void FlatPiecesView::paintScale(QPainter& painter) const
+{
+    const int top = height() - scaleHeight() + 6, high = fontMetrics().height();
+    painter.setPen(ViewColors::of(palette()).label);
+    const QString begin = tr("Strain: %1").arg(percentText(0)), end = tr("%1 and more").arg(percentText(m_limit));
+    int x = static_cast<int>(margin);
+    const auto write = [&](const QString& text) {
+        const int wide = fontMetrics().horizontalAdvance(text);
+        painter.drawText(QRect(x, top, wide, high), Qt::AlignCenter, text);
+        x += wide + 6;
+    };
+    write(begin);
+    for (int step = 0; step < colourSteps; ++step)
+        painter.fillRect(QRectF(x + step * scaleWidth / double(colourSteps), top + high / 4.0,
+                                scaleWidth / double(colourSteps) + 0.5, high / 2.0),
+                         stepColor(step));
+    x += scaleWidth + 6;
+    write(end);
 }
 
 void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::size_t p) const
@@ -86,7 +124,6 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
     const auto at = [&](int vertex) {
         return fit.map(toPoint(flat.at[static_cast<std::size_t>(vertex)] + *place));
     };
-    const MapScale scale{MapScale::Kind::Sequential, static_cast<float>(m_limit)};
     std::map<int, QPainterPath> steps;
     for (std::size_t t = 0; t < piece.triangles.size(); ++t) {
         const float share = std::min(flat.strain[t] / static_cast<float>(m_limit), 1.0F);
@@ -95,10 +132,8 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
         path.closeSubpath();
     }
     painter.setRenderHint(QPainter::Antialiasing, false); // no lines between triangles
-    for (const auto& [step, path] : steps) {
-        const MapScale::Rgba c = scale.color(static_cast<float>(step) / colourSteps * static_cast<float>(m_limit));
-        painter.fillPath(path, QColor(c[0], c[1], c[2]));
-    }
+    for (const auto& [step, path] : steps)
+        painter.fillPath(path, stepColor(step));
     painter.setRenderHint(QPainter::Antialiasing);
     QPolygonF border;
     for (const int vertex : piece.border)

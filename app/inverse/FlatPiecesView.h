@@ -21,7 +21,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    int scaleHeight() const;
     QTransform fitting() const;
+    void paintScale(QPainter& painter) const;
     void paintPiece(QPainter& painter, const QTransform& fit, std::size_t piece) const;
 
     std::shared_ptr<const FormMade> m_made;

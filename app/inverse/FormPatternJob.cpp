@@ -46,7 +46,7 @@ Message FormPatternJob::read(const QString& path, const std::stop_token& stop)
     auto placed = std::make_shared<TriangleMesh>(*read.mesh);
     for (Vec3& point : placed->points)
         point = placement.placed(point);
-    m_form = {state, std::move(placed), placement};
+    m_form = {state, std::move(placed), placement, std::move(read.warning)};
     return {};
 }
 
@@ -98,6 +98,8 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         }
         made.form = cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
         made.problem = made.form.problem;
+        if (!wanted.mesh && !m_form.warning.empty())
+            made.form.notes.push_back(m_form.warning);
         if (!made.problem.empty() || stop.stop_requested())
             return made;
         FlattenOrder order = wanted.draft ? draftFlattening : FlattenOrder{};

@@ -51,6 +51,7 @@ private:
         FileState state;
         std::shared_ptr<const TriangleMesh> mesh; ///< mm
         Placement placement;
+        Message warning; ///< what is odd about the file
     };
     struct EdgesOfFile {
         FileState state;

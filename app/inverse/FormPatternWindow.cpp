@@ -460,8 +460,9 @@ void FormPatternWindow::say()
         lines.back() += ", " + tr("%n seams, whose sides differ by %1 at most", nullptr,
                                   static_cast<int>(m_made->pattern.seams.size()))
                                    .arg(lengthText(widest, 2));
-    for (const Message& note : m_made->pattern.notes)
-        lines << translated(note);
+    for (const std::vector<Message>* said : {&m_made->pattern.notes, &m_made->pattern.advice})
+        for (const Message& note : *said)
+            lines << translated(note);
     if (!where.empty())
         lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
     if (over > 0)

@@ -1,8 +1,8 @@
 #include "StartPage.h"
 
 #include "CardFlow.h"
-#include "FileFlow.h"
 #include "FileFormats.h"
+#include "LeftWork.h"
 #include "RecentFiles.h"
 #include "StartCard.h"
 #include "StartPictures.h"
@@ -259,7 +259,7 @@ void StartPage::addLeft(QVBoxLayout& page)
     CardFlow* flow = addCards(page);
     for (const WorkJournal::Left& left : std::as_const(m_left).mid(0, mostLeftCards)) {
         const QString when = QLocale().toString(left.when, QLocale::ShortFormat);
-        auto* card = new StartCard(StartCard::Shape::Action, QStringLiteral("save"), FileFlow::nameOf(left),
+        auto* card = new StartCard(StartCard::Shape::Action, QStringLiteral("save"), LeftWork::nameOf(left),
                                    left.kept ? tr("Kept for later, last edit %1").arg(when)
                                              : tr("Left by a crash, last edit %1").arg(when),
                                    this);

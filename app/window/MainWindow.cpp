@@ -12,7 +12,7 @@
 #include "FabricCommands.h"
 #include "FabricLink.h"
 #include "FabricPanel.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "FindingsLink.h"
 #include "HistoryPanel.h"
 #include "Inspector.h"
@@ -97,7 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_fabricCommands(new FabricCommands(*m_session, m_selection, this))
     , m_commands(new Commands(*this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
-    , m_surface(new CoverView(document(), m_surfaceSelection))
+    , m_coverView(new CoverView(document(), m_coverSelection))
     , m_elements(new ElementsView(document(), m_selection, m_problems))
     , m_history(new HistoryPanel(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
@@ -108,17 +108,17 @@ MainWindow::MainWindow(QWidget* parent)
     , m_cutting(new CuttingPanel(document()))
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
-    , m_files(new FileFlow(*m_session, this, m_banner))
+    , m_files(std::make_unique<FileFlows>(*m_session, this, *m_banner))
     , m_drops(new DropFlow(*m_files, *m_fabricCommands, this))
 {
     setAcceptDrops(true);
     setStatusBar(m_status);
-    m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
+    m_coverView->setSoftwareRenderer(std::make_unique<RayRenderer>());
     auto* bar = addToolBar(tr("Tools"));
     addMessages();
-    m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
-                                                          m_problemList, m_seams, m_fabricPanel, m_spots, m_cutting,
-                                                          new JobsPanel});
+    m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_coverView, m_elements, m_history,
+                                                          m_inspector, m_problemList, m_seams, m_fabricPanel,
+                                                          m_spots, m_cutting, new JobsPanel});
     m_startPage = new StartPage(*this, {m_docks->pattern, m_docks->cover});
     m_palette = new CommandPalette(*this);
     connectSession(); // before the areas: what they look at is up to date then
@@ -146,12 +146,12 @@ MainWindow::~MainWindow()
 
 void MainWindow::open(const QString& path)
 {
-    m_files->open(path);
+    m_files->opening.open(path);
 }
 
 void MainWindow::recover()
 {
-    m_files->recover();
+    m_files->left.recover();
 }
 
 void MainWindow::greet()
@@ -184,7 +184,7 @@ void MainWindow::designOpened()
     m_selection.clear();
     m_elements->scrollToTop();
     m_solver->forget(m_session->files());
-    m_surface->shown().setFiles(m_session->files());
+    m_coverView->shown().setFiles(m_session->files());
     m_pattern->navigation().fitAll();
     m_coverAwaited = true;
     lookAtOpened();
@@ -199,9 +199,9 @@ void MainWindow::lookAtOpened()
     const std::optional<Viewpoint> last = SavedViews::lastOf(m_session->path());
     m_fitCover = !last;
     if (last)
-        m_surface->navigation().returnTo(*last);
+        m_coverView->navigation().returnTo(*last);
     else
-        m_surface->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
+        m_coverView->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
 }
 
 /// Where the camera stands while the first cover is still to come nobody has chosen.
@@ -210,7 +210,7 @@ void MainWindow::keepCamera()
     bool waits = false;
     document().design().each<Patch>([&](ElementId, const Patch&) { waits = m_fitCover; });
     if (!m_session->path().isEmpty() && !waits)
-        SavedViews::keepLast(m_session->path(), m_surface->navigation().camera());
+        SavedViews::keepLast(m_session->path(), m_coverView->navigation().camera());
 }
 
 void MainWindow::updateTitle()
@@ -241,7 +241,7 @@ void MainWindow::updateSolverState()
     if (status.state == SolverStatus::State::Idle || status.state == SolverStatus::State::Failed)
         m_problemList->forgetFindings();
     const bool stale = m_solver->paused() && !m_solver->upToDate();
-    m_surface->shown().setDimmed(status.state == SolverStatus::State::Failed || stale);
+    m_coverView->shown().setDimmed(status.state == SolverStatus::State::Failed || stale);
 }
 
 void MainWindow::showProblem(ElementId element)
@@ -316,7 +316,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     document().cancelGesture(); // a series of arrow keys is an edit of its own when it ends
     if (!std::exchange(m_workKept, false) && (document().hasUnsavedWork() || m_session->saving())) {
         event->ignore();
-        m_files->keepWork([this, restarts] {
+        m_files->saving.keepWork([this, restarts] {
             m_workKept = true;
             closeAgain(restarts);
         });

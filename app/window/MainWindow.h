@@ -27,7 +27,6 @@ class ElementsView;
 class FabricCommands;
 class FabricLink;
 class FabricPanel;
-class FileFlow;
 class FindingsLink;
 class HistoryPanel;
 class Inspector;
@@ -48,6 +47,7 @@ class StartPage;
 class StatusLine;
 class Tour;
 class ViewCommands;
+struct FileFlows;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -72,7 +72,7 @@ public:
     FindingsLink& findings() { return *m_findings; }
     Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
-    CoverView& coverView() { return *m_surface; }
+    CoverView& coverView() { return *m_coverView; }
     Commands& commands() { return *m_commands; }
     PreferenceStore& preferences() { return *m_preferences; }
     /// By its id.
@@ -82,7 +82,7 @@ public:
     CommandPalette& commandPalette() { return *m_palette; }
     Banner& banner() { return *m_banner; }
     StatusLine& statusLine() { return *m_status; }
-    FileFlow& files() { return *m_files; }
+    FileFlows& files() { return *m_files; }
     DropFlow& drops() { return *m_drops; }
     StartPage& startPage() { return *m_startPage; }
     Tour& tour() { return *m_tour; }
@@ -145,7 +145,7 @@ private:
     std::unique_ptr<PreferenceStore> m_preferences;
     std::unique_ptr<DesignSession> m_session;
     Selection m_selection;
-    Selection m_surfaceSelection; ///< the same, but for what is hovered when the views are not linked
+    Selection m_coverSelection; ///< the same, but for what is hovered when the views are not linked
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;
@@ -157,7 +157,7 @@ private:
     FabricCommands* m_fabricCommands;
     Commands* m_commands;
     PatternView* m_pattern;
-    CoverView* m_surface;
+    CoverView* m_coverView;
     QWidget* m_lastView = nullptr; ///< of these two, that had the keyboard; null: none yet
     ElementsView* m_elements;
     HistoryPanel* m_history;
@@ -171,7 +171,7 @@ private:
     Banner* m_banner;
     int m_toldDropped = 0; ///< the banner's number of that
     CommandPalette* m_palette = nullptr;
-    FileFlow* m_files;
+    std::unique_ptr<FileFlows> m_files;
     DropFlow* m_drops;
     std::unique_ptr<Docks> m_docks;
     StartPage* m_startPage = nullptr;

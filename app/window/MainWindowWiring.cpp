@@ -16,7 +16,7 @@
 #include "FabricLink.h"
 #include "FabricMenu.h"
 #include "FileCommands.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "FindingsLink.h"
 #include "FirstSteps.h"
 #include "FixingCommands.h"
@@ -114,23 +114,23 @@ void MainWindow::addCommands()
     Commands& commands = *m_commands;
     addMainMenus(commands);
     auto& cover = addArea<CoverAtRest>(document(), *m_solver, *m_status);
-    addArea<FileCommands>(commands, *m_files, *m_session, *m_solver, cover, *m_surface, *m_fabricLink, *this);
+    addArea<FileCommands>(commands, *m_files, *m_session, *m_solver, cover, *m_coverView, *m_fabricLink, *this);
     m_startCommands =
         &addArea<StartCommands>(commands, StartCommands::Parts{*m_startPage, *m_session, *m_files, *m_pattern,
-                                                               *m_surface, *m_banner, *this});
+                                                               *m_coverView, *m_banner, *this});
     addArea<EditCommands>(commands, document(), m_selection, *m_docks, *m_elements, *m_history, *m_fabricCommands,
-                          *m_status, [this] { return m_pattern->takeBack() || m_surface->takeBack(); });
+                          *m_status, [this] { return m_pattern->takeBack() || m_coverView->takeBack(); });
     addViewCommands();
     addArea<InsertCommands>(commands, *m_session, m_selection, *m_solver, *m_status);
-    addArea<ToolCommands>(commands, *m_pattern, *m_surface, *m_docks);
+    addArea<ToolCommands>(commands, *m_pattern, *m_coverView, *m_docks);
     addDesignCommands(cover);
     addArea<SurfaceCommands>(commands, *m_solver, cover, *this);
     addArea<WindowCommands>(commands, *m_docks, *m_inspector);
-    m_tour = &addArea<Tour>(
-        commands, Tour::Parts{*m_session, m_selection, *m_maps, *m_files, *m_pattern, *m_surface, *m_docks, *this});
+    m_tour = &addArea<Tour>(commands, Tour::Parts{*m_session, m_selection, *m_maps, *m_files, *m_pattern,
+                                                  *m_coverView, *m_docks, *this});
     auto& preferences =
         addArea<PreferenceCommands>(commands, *m_preferences,
-                                    PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_surface,
+                                    PreferenceCommands::Parts{*m_session, *m_solver, *m_covers, *m_coverView,
                                                               *m_fabricCommands, *this, [this] { restart(); }});
     auto& manual = addArea<ManualCommands>(commands, *this, [this] {
         const auto& chosen = m_selection.elements();
@@ -139,9 +139,9 @@ void MainWindow::addCommands()
     });
     connect(m_status, &StatusLine::meaningWanted, &manual, &ManualCommands::openMessage);
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
-    addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files,
+    addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_coverView, m_files->opening,
                         *m_startPage);
-    addArea<VersionCommands>(*m_session, *m_solver, *m_fabricLink, *m_surface, *m_history, *this);
+    addArea<VersionCommands>(*m_session, *m_solver, *m_fabricLink, *m_coverView, *m_history, *this);
     SewingCommands::fillTable(m_seams->table(), commands);
     commands.buildMenus();
     commands.update();
@@ -155,14 +155,14 @@ void MainWindow::addCommands()
 void MainWindow::addViewCommands()
 {
     Commands& commands = *m_commands;
-    m_viewCommands = &addArea<ViewCommands>(commands, document(), m_selection, *m_pattern, *m_surface, *m_elements,
-                                            *m_status, *m_preferences);
-    addArea<SavedViewCommands>(commands, *m_surface, *m_status, *this);
-    addArea<LayerCommands>(commands, *m_pattern, *m_surface, *m_solver);
-    m_mapCommands = &addArea<MapCommands>(commands, *m_maps, *m_scans, *m_pattern, *m_surface, *m_inspector,
+    m_viewCommands = &addArea<ViewCommands>(commands, document(), m_selection, *m_pattern, *m_coverView,
+                                            *m_elements, *m_status, *m_preferences);
+    addArea<SavedViewCommands>(commands, *m_coverView, *m_status, *this);
+    addArea<LayerCommands>(commands, *m_pattern, *m_coverView, *m_solver);
+    m_mapCommands = &addArea<MapCommands>(commands, *m_maps, *m_scans, *m_pattern, *m_coverView, *m_inspector,
                                           *m_docks, *m_spots);
     addArea<DrawingCommands>(commands, *m_pattern, *m_status, *this);
-    addArea<ViewLink>(m_selection, m_surfaceSelection, *m_pattern, *m_surface, *commands["view.link"]);
+    addArea<ViewLink>(m_selection, m_coverSelection, *m_pattern, *m_coverView, *commands["view.link"]);
 }
 
 void MainWindow::addDesignCommands(CoverAtRest& cover)
@@ -177,17 +177,17 @@ void MainWindow::addDesignCommands(CoverAtRest& cover)
     addArea<TwinCommands>(commands, document(), m_selection, *m_docks, *m_status);
     auto& sewing = addArea<SewingCommands>(commands, document(), m_selection, *m_docks);
     connect(&sewing, &SewingCommands::selectionToShow, this, [this] { m_pattern->navigation().revealSelection(); });
-    addArea<CuttingCommands>(commands,
-                             CuttingCommands::Parts{*m_cutting, *m_files, m_selection, *m_pattern, *m_docks});
+    addArea<CuttingCommands>(
+        commands, CuttingCommands::Parts{*m_cutting, m_files->exports, m_selection, *m_pattern, *m_docks});
     addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);
     addArea<InverseCommands>(commands, InverseCommands::Parts{*m_session, m_selection, *m_solver, *m_maps,
-                                                              *m_pattern, *m_surface, *this});
+                                                              *m_pattern, *m_coverView, *this});
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
-                                          *m_solver, *m_pattern, *m_surface, *m_inspector, *m_docks, *this});
-    addArea<FrameEdgeCommands>(commands, *m_session, *m_surface, *m_status, *this);
+                                          *m_solver, *m_pattern, *m_coverView, *m_inspector, *m_docks, *this});
+    addArea<FrameEdgeCommands>(commands, *m_session, *m_coverView, *m_status, *this);
     addArea<FixingCommands>(commands, document(), m_selection, *m_solver, *m_status);
-    addArea<ScanCommands>(commands, document(), m_selection, *m_scans, *m_files, *m_surface, *m_inspector,
+    addArea<ScanCommands>(commands, document(), m_selection, *m_scans, m_files->imports, *m_coverView, *m_inspector,
                           *m_status, cover, *this);
 }
 
@@ -200,7 +200,7 @@ void MainWindow::connectSession()
     connect(m_session.get(), &DesignSession::leaving, this, &MainWindow::keepCamera);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
-        m_surface->shown().setFiles(m_session->files());
+        m_coverView->shown().setFiles(m_session->files());
         m_solver->setFiles(m_session->files());
         m_inspector->setFiles(m_session->files());
         m_commands->update({"layer.scan-colors"});
@@ -208,7 +208,7 @@ void MainWindow::connectSession()
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
         if (!m_solver->surface() || document().design().find<Scan>(id)) // which may be anywhere
-            m_surface->navigation().fitAll();
+            m_coverView->navigation().fitAll();
     });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
     connect(&m_problems, &ProblemSet::changed, this, &MainWindow::countProblems);
@@ -219,7 +219,7 @@ void MainWindow::connectDocument()
     connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
     connect(&document(), &Document::changed, this, [this] {
         pruneSelection(m_selection, document().design());
-        pruneSelection(m_surfaceSelection, document().design());
+        pruneSelection(m_coverSelection, document().design());
         m_covers->setDesign(document().design());
     });
     connect(&document(), &Document::refused, this, [this](const Message& why) {
@@ -262,11 +262,11 @@ void MainWindow::connectSolver()
         m_scans->setSurface(surface);
         m_maps->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
-            m_surface->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
+            m_coverView->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
     });
-    connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
+    connect(m_solver.get(), &SolverLink::surfaceShown, &m_coverView->shown(), &ShownScene::setSurface);
     connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
-    connect(&m_surface->navigation(), &CoverNavigation::moved, m_covers.get(),
+    connect(&m_coverView->navigation(), &CoverNavigation::moved, m_covers.get(),
             [this](const Camera& camera) { m_covers->setPixelSize(camera.pixelSize()); });
     connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
         m_status->flashNext(
@@ -276,12 +276,12 @@ void MainWindow::connectSolver()
                "the same, and so do exports and pictures. If you want the other shape, tell the design: "
                "hold the cloth there with a handle, or make the piece smaller until it needs no folds."));
     });
-    connect(m_covers.get(), &CoverLink::refined, &m_surface->shown(), &ShownScene::setCover);
-    connect(m_solver.get(), &SolverLink::fieldChanged, &m_surface->shown(), &ShownScene::setField);
+    connect(m_covers.get(), &CoverLink::refined, &m_coverView->shown(), &ShownScene::setCover);
+    connect(m_solver.get(), &SolverLink::fieldChanged, &m_coverView->shown(), &ShownScene::setField);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
     connect(m_fabricLink.get(), &FabricLink::changed, this, [this] {
         m_pattern->shown().setFabricColors(m_fabricLink->colors());
-        m_surface->shown().setFabricMaps(m_fabricLink->maps());
+        m_coverView->shown().setFabricMaps(m_fabricLink->maps());
         m_inspector->setFabricPictures(m_fabricLink->pictures());
         updateProblems();
     });
@@ -290,34 +290,34 @@ void MainWindow::connectSolver()
 void MainWindow::connectViews()
 {
     connect(m_pattern, &PatternView::promptChanged, m_status, &StatusLine::setPrompt);
-    connect(m_surface, &CoverView::promptChanged, m_status, &StatusLine::setPrompt);
+    connect(m_coverView, &CoverView::promptChanged, m_status, &StatusLine::setPrompt);
     connect(m_pattern, &PatternView::failed, m_status, &StatusLine::flash);
-    connect(m_surface, &CoverView::failed, m_status, &StatusLine::flash);
-    connect(m_surface, &CoverView::pictured, this, [this] { // tests/figures/starts waits for it
-        if (m_coverAwaited && m_surface->shownSurface()) {
+    connect(m_coverView, &CoverView::failed, m_status, &StatusLine::flash);
+    connect(m_coverView, &CoverView::pictured, this, [this] { // tests/figures/starts waits for it
+        if (m_coverAwaited && m_coverView->shownSurface()) {
             m_coverAwaited = false;
             qCInfo(times, "the cover is on the screen");
             m_fabricLink->begin();
         }
     });
-    connect(m_surface, &CoverView::rendererNote, m_status, &StatusLine::setRendererNote);
+    connect(m_coverView, &CoverView::rendererNote, m_status, &StatusLine::setRendererNote);
     connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
         m_status->setCoordinates([at] {
             return at ? tr("x %1   y %2").arg(steadyLengthFigure(at->x()), steadyLengthText(at->y())) : QString();
         });
         m_status->setPrompt(m_pattern->prompt());
     });
-    connect(m_surface, &CoverView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
+    connect(m_coverView, &CoverView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
         m_status->setCoordinates([at] {
             return at ? tr("x %1   y %2   z %3")
                             .arg(steadyLengthFigure(at->x()), steadyLengthFigure(at->y()),
                                  steadyLengthText(at->z()))
                       : QString();
         });
-        m_status->setPrompt(m_surface->prompt());
+        m_status->setPrompt(m_coverView->prompt());
     });
     connect(m_session.get(), &DesignSession::opened, this, [this] {
-        m_surface->visibility().setHidden({});
+        m_coverView->visibility().setHidden({});
         m_problemList->forgetFindings();
         m_mapCommands->hideSpot();
     });
@@ -331,35 +331,36 @@ void MainWindow::connectContextMenus()
     auto* menus = new ContextMenus(document(), m_selection, *m_commands, this);
     connect(m_pattern, &PatternView::contextMenuWanted, menus, &ContextMenus::showInPattern);
     connect(m_elements, &ElementsView::contextMenuWanted, menus, &ContextMenus::showInList);
-    connect(m_surface, &CoverView::contextMenuWanted, menus, [this, menus](const QPoint& at, bool onSomething) {
+    connect(m_coverView, &CoverView::contextMenuWanted, menus, [this, menus](const QPoint& at, bool onSomething) {
         menus->showInSurface(at, onSomething,
                              onSomething
-                                 ? pieceAt(*m_surface, at, m_session->document().design(), m_session->files())
+                                 ? pieceAt(*m_coverView, at, m_session->document().design(), m_session->files())
                                  : std::nullopt);
     });
     connect(m_pattern, &PatternView::toolMenuWanted, menus,
             [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_pattern, at, keys); });
-    connect(m_surface, &CoverView::toolMenuWanted, menus,
-            [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_surface, at, keys); });
+    connect(m_coverView, &CoverView::toolMenuWanted, menus,
+            [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_coverView, at, keys); });
 }
 
 void MainWindow::connectFiles()
 {
-    connect(m_surface, &CoverView::measured, m_inspector, &Inspector::setCoverLengths);
+    connect(m_coverView, &CoverView::measured, m_inspector, &Inspector::setCoverLengths);
     connect(m_inspector, &Inspector::fileWanted, this, [this](ElementId id) {
         if (document().design().find<Fabric>(id))
             m_fabricCommands->choosePicture(id);
         else
-            m_files->replaceFile(id);
+            m_files->imports.replaceFile(id);
     });
-    connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
-    connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
-    connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
+    connect(&m_files->opening, &OpenFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
+    connect(&m_files->saving, &SaveFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
+    connect(&m_files->left, &LeftWork::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
+    connect(&m_files->talk, &FileTalk::done, m_status, &StatusLine::flash);
     connect(m_fabricCommands, &FabricCommands::done, m_status, &StatusLine::flash);
-    connect(m_files, &FileFlow::imported, this, [this](FileKind kind) { // what came in is to be seen
+    connect(&m_files->imports, &ImportFlow::imported, this, [this](FileKind kind) { // what came in is to be seen
         command(kind == FileKind::Cloud ? "layer.scans" : "layer.frames")->setChecked(true);
     });
-    connect(m_files, &FileFlow::patternImported, this, [this](const std::vector<ElementId>& patches) {
+    connect(&m_files->imports, &ImportFlow::patternImported, this, [this](const std::vector<ElementId>& patches) {
         // So many are looked at one by one.
         if (patches.size() <= mostSelectedAtOnce)
             m_selection.set({patches.begin(), patches.end()});
@@ -393,7 +394,7 @@ void MainWindow::connectFindings()
 {
     // What is not on the screen yet is not called good.
     const auto update = [this] {
-        const bool seen = m_surface->pictures(m_solver->surface());
+        const bool seen = m_coverView->pictures(m_solver->surface());
         const bool known = seen && m_findings->known();
         const std::vector<CoverFinding> findings = findingsToSay();
         m_status->setFindings(findings, known);
@@ -404,7 +405,7 @@ void MainWindow::connectFindings()
     };
     connect(m_findings.get(), &FindingsLink::changed, this, update);
     // A window that is destroyed hides its docks, when the findings are gone.
-    connect(m_surface, &CoverView::pictured, m_findings.get(), update);
+    connect(m_coverView, &CoverView::pictured, m_findings.get(), update);
     connect(m_docks->cover, &QDockWidget::visibilityChanged, m_findings.get(), update);
     connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
     const auto showFinding = [this](const CoverFinding& finding) {
@@ -429,7 +430,7 @@ void MainWindow::connectKeyboard()
     });
     // Keys mean the view again in which one was before, not the next field.
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, QWidget* now) {
-        if (now == m_pattern || now == m_surface)
+        if (now == m_pattern || now == m_coverView)
             m_lastView = now;
     });
     connect(
@@ -485,7 +486,7 @@ void MainWindow::connectStartPage()
 void MainWindow::pageMoved()
 {
     const bool covered = m_startPage->isOpen() && !m_docks->cover->isFloating();
-    m_surface->setCovered(covered);
+    m_coverView->setCovered(covered);
     if (m_wasShown && !covered && !m_fabricLink->begun())
         m_fabricsAwaited.start();
 }

@@ -80,6 +80,15 @@ bool stepHasNumbers(std::string_view bytes)
     return true;
 }
 
+std::uint64_t stepFaces(std::string_view bytes)
+{
+    constexpr std::string_view word = "ADVANCED_FACE";
+    std::uint64_t count = 0;
+    for (std::size_t at = bytes.find(word); at != std::string_view::npos; at = bytes.find(word, at + word.size()))
+        count += at > 0 && (bytes[at - 1] == '=' || bytes[at - 1] == ' ');
+    return count;
+}
+
 /// The last line, of 80 characters, is that of the terminate section.
 bool igesIsWhole(std::string_view bytes)
 {
@@ -146,6 +155,7 @@ void readStep(std::string_view bytes, AssemblyWriter& writer, CadDocument& read)
     TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
     reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
     read.said.millimetresPerUnit = commonUnit(lengths);
+    read.faces = stepFaces(bytes);
     const Handle(TransferProgress) progress = new TransferProgress(writer);
     if (!reader.Transfer(read.document, progress->Start()))
         throw AssemblyRefused{AssemblyVerdict::NoFaces};

@@ -13,6 +13,7 @@ struct CadDocument {
     Handle(TDocStd_Document) document;
     FileFacts said;
     std::vector<std::string> elsewhere; ///< files that it refers to
+    std::uint64_t faces = 0; ///< as many as it writes at least; the library leaves out what it cannot read
 };
 
 /// Throws AssemblyRefused.

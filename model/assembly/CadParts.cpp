@@ -79,6 +79,7 @@ public:
         , m_order(order)
         , m_writer(writer)
         , m_perUnit(1 / document.said.millimetresPerUnit.value_or(1))
+        , m_facesWritten(document.faces)
     {}
 
     void write()
@@ -89,6 +90,8 @@ public:
             countShapes(free(i), 0);
         for (int i = 1; i <= free.Length(); ++i)
             addLabel(free(i), {}, {}, {}, 0);
+        if (const std::uint64_t there = facesThere(); there < m_facesWritten)
+            m_notMeshed += m_facesWritten - there;
         if (m_tooDeep > 0)
             m_writer.warn(AssemblyOddity::TooDeep, m_tooDeep);
         if (m_notMeshed > 0)
@@ -120,6 +123,18 @@ private:
                     if (m_colors->GetColor(part.Current(), type, color))
                         return packed(color);
         return {};
+    }
+
+    /// Of all products, each once, however often it is there.
+    std::uint64_t facesThere() const
+    {
+        TDF_LabelSequence products;
+        m_shapes->GetShapes(products);
+        TopTools_IndexedMapOfShape faces;
+        for (int i = 1; i <= products.Length(); ++i)
+            if (!XCAFDoc_ShapeTool::IsAssembly(products(i)))
+                TopExp::MapShapes(XCAFDoc_ShapeTool::GetShape(products(i)), TopAbs_FACE, faces);
+        return static_cast<std::uint64_t>(faces.Extent());
     }
 
     /// For the progress alone: an assembly that is in itself again and again is not followed for ever.
@@ -239,6 +254,7 @@ private:
     const CadOrder& m_order;
     AssemblyWriter& m_writer;
     double m_perUnit;
+    std::uint64_t m_facesWritten;
     std::vector<std::int64_t> m_points; // scratch
     std::size_t m_shapeCount = 0;
     std::size_t m_shapesDone = 0;

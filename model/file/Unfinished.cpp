@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <cstdio>
 #include <mutex>
 #include <set>
 #include <sys/file.h>
@@ -47,6 +48,14 @@ void removeLeftWorkFolders()
                 QDir(folder.absoluteFilePath()).removeRecursively();
 }
 
+/// Another thread may be making files in it at this very moment: where it is moved to, it makes none.
+void removeFolder(const QString& path)
+{
+    const QTemporaryDir aside(QDir::tempPath() + u'/' + workFolderName + QStringLiteral("XXXXXX"));
+    if (!aside.isValid() || ::rename(QFile::encodeName(path), QFile::encodeName(aside.path())) != 0)
+        QDir(path).removeRecursively();
+}
+
 } // namespace
 
 Unfinished::Unfinished(QString path)
@@ -80,7 +89,7 @@ void removeUnfinished()
         if (path.isEmpty())
             continue;
         if (QFileInfo(path).isDir())
-            QDir(path).removeRecursively();
+            removeFolder(path);
         else
             QFile::remove(path);
     }

@@ -1,12 +1,12 @@
 #version 330 core
 #include "lit.glsl"
 #include "fabric.glsl"
+#include "seams.glsl"
 
 uniform vec3 lightTone; // of the checker, linear
 uniform vec3 darkTone;
 uniform float square;   // mm; 0: no checker
 uniform bool quick;     // something moves: without the fabric's relief
-uniform vec4 seamProfile; // valley's depth and reach, bulge's height, mm, and its reach in allowances: see SeamRelief.h
 uniform vec4 tint;      // what the pointer or the selection adds, as displayed
 uniform vec4 veil;      // over everything that is not up to date
 in vec3 eyePosition;
@@ -25,8 +25,7 @@ vec3 checker()
     return mix(darkTone, lightTone, 0.5 + 0.5 * squareWave(at.x, width.x) * squareWave(at.y, width.y));
 }
 
-// How dark it is in the valley of a seam, and how the normal leans there: SeamProfile of SeamRelief.h. What is
-// narrower than a pixel is drawn wider and fainter.
+// How dark it is in the valley of a seam, and how the normal leans there: SeamProfile of SeamRelief.h.
 float pressed(vec3 even, inout vec3 n)
 {
     vec3 dx = dFdx(seamDistances), dy = dFdy(seamDistances);
@@ -35,22 +34,20 @@ float pressed(vec3 even, inout vec3 n)
     first /= dot(first, vec3(1.0));
     float pixel = dot(first, max(abs(dx), abs(dy)));
 
-    float reach = length(vec2(seamProfile.y, pixel));
-    float inside = max(0.0, 1.0 - nearest / reach), amount = seamShape.y * seamProfile.y / reach;
-    vec3 slope = first * (2.0 * seamProfile.x * amount * inside / reach);
+    Valley valley = valleyAt(nearest, seamShape.y, pixel);
+    vec3 slope = first * valley.rise;
     if (seamShape.x > 0.0) {
-        float allowance = seamProfile.w * seamShape.x, width = length(vec2(allowance, pixel));
-        float high = seamProfile.z * min(1.0, seamShape.x) * allowance / width;
-        vec3 at = min(seamDistances / width, 1.0), left = 1.0 - at * at;
-        vec3 without = 1.0 - left * left * left, fall = -6.0 * at * left * left / width;
-        slope += high * fall * vec3(without.y * without.z, without.x * without.z, without.x * without.y);
+        float width = bulgeWidth(seamShape.x, pixel);
+        Flat a = flatAt(seamDistances.x, width), b = flatAt(seamDistances.y, width), c = flatAt(seamDistances.z, width);
+        slope -= bulgeTop(seamShape.x, width) *
+                 vec3(a.rise * b.share * c.share, b.rise * c.share * a.share, c.rise * a.share * b.share);
     }
     // The surface gradient (M. Mikkelsen, "Bump mapping unparametrized surfaces on the GPU", 2010).
     vec3 px = dFdx(eyePosition), py = dFdy(eyePosition);
     float area = dot(even, cross(px, py));
     if (area != 0.0)
         n = normalize(n - (dot(slope, dx) * cross(py, even) + dot(slope, dy) * cross(even, px)) / area);
-    return amount * inside * inside;
+    return valley.dark;
 }
 
 void main()

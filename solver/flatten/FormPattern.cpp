@@ -25,6 +25,7 @@ constexpr double rowsWide = 1.5;       // times as wide as high is what lies in 
 constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles beside a cut turn over, and mean nothing
 constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
+constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
@@ -136,6 +137,8 @@ public:
         if (m_order.twins)
             linkTwins();
         m_result.design = m_builder.now();
+        adviseOnHolding();
+        adviseOnEdges();
         return std::move(m_result);
     }
 
@@ -297,6 +300,37 @@ private:
             {QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
                                           "Divide it, or cut it in where it bulges most"),
              {piece(p).name}});
+    }
+
+    void adviseOnHolding()
+    {
+        const bool open = std::ranges::any_of(m_form.pieces, [](const FormPiece& each) {
+            return std::ranges::any_of(each.mates, [](const EdgeMate& mate) { return mate.none(); });
+        });
+        if (!open && std::ranges::any_of(m_result.patches, [](ElementId patch) { return patch != noElement; }))
+            m_result.advice.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "The form is closed, so that nothing holds its cover: it will fall into "
+                                   "itself. Give the pieces pressure, or fix a seam to a curve on the "
+                                   "frame"),
+                 {}});
+    }
+
+    void adviseOnEdges()
+    {
+        const double least = fewestEdges * m_order.edgeLength;
+        const auto isSmall = [&](ElementId patch) {
+            return patch != noElement &&
+                   std::abs(m_result.design.find<Patch>(patch)->outline.signedArea()) < least * least;
+        };
+        const auto small = std::ranges::count_if(m_result.patches, isSmall);
+        if (small > 0)
+            m_result.advice.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "Pieces that are small for the triangles of the cover, whose edges are "
+                                   "%1 mm long: %2. Make the mesh edges shorter for them, or their shape "
+                                   "will be coarse"),
+                 {numberText(m_order.edgeLength, 3), std::to_string(small)}});
     }
 
     BSpline2 curveOf(const std::vector<Vec2>& row) const

@@ -36,7 +36,8 @@ struct FormPattern {
     Design design;
     std::vector<ElementId> patches; ///< of each piece; none where it could not be made
     std::vector<FormSeam> seams;
-    std::vector<Message> notes; ///< pieces that are left out, and why
+    std::vector<Message> notes;  ///< pieces that are left out, and why
+    std::vector<Message> advice; ///< why its cover will not be like the form, and what to do about that
 };
 
 /// Each piece becomes a patch with corners where its seams meet and where its outline turns sharply; each row of

@@ -490,6 +490,12 @@ TEST_F(BothWaysTest, TheCauseOfAScannedPieceIsNamed)
     auto* list = dialog->findChild<QTreeWidget*>();
     EXPECT_GE(list->topLevelItemCount(), 2);
     EXPECT_TRUE(window.selection().elements().contains(wide->element)) << "the views show where";
+
+    const int causesListed = list->topLevelItemCount();
+    pressIn(*dialog, "Look for the cause");
+    pressIn(*dialog, "Stop");
+    EXPECT_TRUE(dialog->found().has_value());
+    EXPECT_EQ(list->topLevelItemCount(), causesListed) << "what took long is not thrown away";
     dialog->close();
 }
 

@@ -3,7 +3,7 @@
 
 #include "CoverView.h"
 #include "ElementEdits.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "FileImportDialog.h"
 #include "Inspector.h"
 #include "NextStep.h"
@@ -93,7 +93,7 @@ TEST_F(DialogsTest, NothingComesUpInFrontOfTheImportDialog)
 
 TEST_F(DialogsTest, ANewWindowTakesClicksAfterAnImportWasGivenUp)
 {
-    window.files().importFrame(writeBox(800));
+    window.files().imports.importFrame(writeBox(800));
     auto* import = opened<FileImportDialog>();
     ASSERT_TRUE(import);
     QTest::keyClick(import, Qt::Key_Escape);
@@ -104,7 +104,7 @@ TEST_F(DialogsTest, ANewWindowTakesClicksAfterAnImportWasGivenUp)
 
 TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
 {
-    window.files().importFrame(writeBox(800));
+    window.files().imports.importFrame(writeBox(800));
     auto* import = opened<FileImportDialog>();
     ASSERT_TRUE(import);
     import->setUnit(FileUnit::Custom);
@@ -143,7 +143,7 @@ TEST_F(DialogsTest, AFrameWithAFileBesideItBecomesOneFile)
             "min": [0, 0, 0], "max": [1, 1, 0]}]})");
     file.close();
 
-    window.files().importFrame(file.fileName());
+    window.files().imports.importFrame(file.fileName());
     auto* import = opened<FileImportDialog>();
     ASSERT_TRUE(import);
     QTest::keyClick(import, Qt::Key_Return);
@@ -160,7 +160,7 @@ TEST_F(DialogsTest, AFrameWithAFileBesideItBecomesOneFile)
 
 TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeavesBehind)
 {
-    window.files().importFrame(writeBox(800));
+    window.files().imports.importFrame(writeBox(800));
     auto* import = opened<FileImportDialog>();
     ASSERT_TRUE(import);
     import->setUnit(FileUnit::Millimetre);
@@ -183,7 +183,7 @@ TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeav
     curve("Front edge", 800);
     curve("Foot", 0);
 
-    window.files().replaceFile(id);
+    window.files().imports.replaceFile(id);
     auto* files = opened<QFileDialog>();
     ASSERT_TRUE(files);
     files->findChild<QLineEdit*>()->setText(writeBox(786));
@@ -207,7 +207,7 @@ TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeav
 
 TEST_F(DialogsTest, TheSizeInTheImportDialogIsSeenWhateverItIs)
 {
-    window.files().importFrame(writeBox(3.4));
+    window.files().imports.importFrame(writeBox(3.4));
     auto* import = opened<FileImportDialog>();
     ASSERT_TRUE(import);
     const auto shows = [&](const QString& figure) {

@@ -10,8 +10,8 @@
 namespace bolster::test {
 
 /// `look` gets each dialog when it is laid out, and the id of its command; afterwards it is closed. Those that
-/// choose files are the system's and left out. Returns how many there were.
-int lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const QString& id)>& look);
+/// choose files are the system's and left out. A command whose dialog does not come is a failure.
+void lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const QString& id)>& look);
 
 /// What is shown in less room than its text needs: "Find … (QPushButton, 80 of 96 pixels)".
 QStringList clippedTexts(const QWidget& window);

@@ -4,7 +4,7 @@
 #include "Background.h"
 #include "DesignFile.h"
 #include "ElementEdits.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "MeshImport.h"
 #include "RecentFiles.h"
 #include "Samples.h"
@@ -265,7 +265,7 @@ TEST_F(FilesTest, WhatWasOpenLatelyIsListedWithItsFolderUntilTheListIsCleared)
         ASSERT_TRUE(open(write(QString(name) + "/box.json", text)));
     }
     QMenu menu;
-    window.files().fillRecent(menu);
+    window.files().opening.fillRecent(menu);
     ASSERT_GE(menu.actions().size(), 3);
     EXPECT_EQ(menu.actions()[0]->toolTip(), QDir::toNativeSeparators(folder.filePath("two/box.json")));
     EXPECT_TRUE(menu.actions()[0]->text().endsWith("two")) << qPrintable(menu.actions()[0]->text());
@@ -279,7 +279,7 @@ TEST_F(FilesTest, WhatWasOpenLatelyIsListedWithItsFolderUntilTheListIsCleared)
     };
     EXPECT_EQ(links(), 2);
     menu.actions().back()->trigger();
-    window.files().fillRecent(menu);
+    window.files().opening.fillRecent(menu);
     EXPECT_FALSE(menu.actions()[0]->isEnabled()) << "nothing yet";
     hint->hide();
     hint->show();

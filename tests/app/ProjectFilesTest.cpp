@@ -6,7 +6,7 @@
 #include "CompareWindow.h"
 #include "CoverView.h"
 #include "ElementEdits.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "HistoryModel.h"
 #include "HistoryView.h"
 #include "Project.h"
@@ -121,7 +121,7 @@ protected:
     void triggerUnsaved()
     {
         QMenu menu;
-        window.files().fillUnsaved(menu);
+        window.files().left.fillUnsaved(menu);
         ASSERT_FALSE(menu.isEmpty());
         menu.actions().front()->trigger();
     }
@@ -437,7 +437,7 @@ TEST_F(ProjectFilesTest, KeptWorkOfASampleHasItsName)
     EXPECT_EQ(left[0].place.original, QString());
     EXPECT_EQ(left[0].place.title, title);
     QMenu menu;
-    window.files().fillUnsaved(menu);
+    window.files().left.fillUnsaved(menu);
     EXPECT_TRUE(menu.actions().front()->text().startsWith(title)) << qPrintable(menu.actions().front()->text());
     menu.actions().front()->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.document().history().count() == 2; }, 30000));
@@ -751,8 +751,8 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
     EXPECT_EQ(window.document().design().settings().edgeLength, first.settings().edgeLength + 1);
     EXPECT_EQ(list.topLevelItemCount(), 1);
 
-    CoverView& left = compare->left().surface();
-    CoverView& right = compare->right().surface();
+    CoverView& left = compare->left().coverView();
+    CoverView& right = compare->right().coverView();
     const auto turn = [&left] { // as with the wheel: at once
         Camera camera = left.navigation().camera();
         camera.azimuth += 0.4;

@@ -161,6 +161,22 @@ TEST_F(CadImportTest, WhatIsNoNumberIsRefusedAtOnce)
     EXPECT_NE(imported.problem.english().find("nan.step"), std::string::npos);
 }
 
+/// The library leaves them out without a word.
+TEST_F(CadImportTest, FacesThatCannotBeReadAreCounted)
+{
+    QFile file(QString::fromStdString(test::dataFolder() + "/frames/two-faces.step"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    QByteArray step = file.readAll();
+    EXPECT_TRUE(importAssembly(write("whole.step", step.toStdString())).warnings.empty());
+    ASSERT_TRUE(step.contains("(#70),#72,"));
+    step.replace("(#70),#72,", "(#70),#99999,"); // a surface that is not there
+    const ImportedAssembly imported = importAssembly(write("hole.step", step.toStdString()));
+    ASSERT_TRUE(imported.assembly);
+    ASSERT_EQ(imported.warnings.size(), 1U);
+    EXPECT_NE(imported.warnings[0].english().find("1 faces could not be made triangles of"), std::string::npos)
+        << imported.warnings[0].english();
+}
+
 TEST_F(CadImportTest, ReadsIges)
 {
     test::writeIgesBox(path("box.igs").toStdString());

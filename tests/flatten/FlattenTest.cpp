@@ -137,6 +137,33 @@ TEST(Flatten, SaysWhereThePieceIsStrainedMost)
     EXPECT_LT((flat[0].strainedAt.head<2>() - Vec2(100, 280)).norm(), 60);
 }
 
+/// Two sheets with the same border are a closed form.
+TEST(Flatten, SaysBeforehandWhatWillBeWrongWithTheCover)
+{
+    const auto half = [](double way) {
+        return gridMesh(
+            20, 20,
+            [&](double u, double v) {
+                const double across = way > 0 ? u : 1 - u;
+                return Vec3(300 * across, 300 * v, way * 30 * std::sin(pi * across) * std::sin(pi * v));
+            },
+            way > 0 ? "Top" : "Bottom");
+    };
+    const FormPattern closed = patternOf(sideBySide(half(1), half(-1)));
+    expectSound(closed);
+    EXPECT_EQ(closed.seams.size(), 4U) << "corner to corner";
+    ASSERT_EQ(closed.advice.size(), 1U);
+    EXPECT_TRUE(closed.advice[0].english().starts_with("The form is closed")) << closed.advice[0].english();
+    EXPECT_TRUE(patternOf(half(1)).advice.empty());
+
+    FormPatternOrder order;
+    order.edgeLength = 80;
+    const Form form = cutForm(half(1), {});
+    const FormPattern coarse = formPattern(form, flatten(form, {}), order);
+    ASSERT_EQ(coarse.advice.size(), 1U);
+    EXPECT_NE(coarse.advice[0].english().find("80 mm long: 1."), std::string::npos) << coarse.advice[0].english();
+}
+
 TEST(Flatten, APieceOfAPlaneStaysAsItIsWhateverTheFabric)
 {
     for (const double poisson : {-0.4, 0.0, 0.45}) {

@@ -3,6 +3,7 @@
 #include "CoverBuilder.h"
 #include "CoverRefiner.h"
 #include "Design.h"
+#include "Shading.h"
 
 #include <gtest/gtest.h>
 
@@ -135,12 +136,12 @@ TEST(SeamProfile, LeansAsItRises)
             const float rise = (at(a + step, b).height - at(a - step, b).height) / (2 * step);
             EXPECT_NEAR(at(a, b).slope[0], rise, 5e-3) << a << ' ' << b;
         }
-    EXPECT_NEAR(at(0, 50).height, SeamProfile::bulgeHeight - SeamProfile::valleyDepth, 1e-5);
+    EXPECT_NEAR(at(0, 50).height, shading::bulgeHeight - shading::valleyDepth, 1e-5);
     EXPECT_EQ(at(0, 50).dark, 1);
-    EXPECT_EQ(at(SeamProfile::valleyReach, 50).dark, 0);
+    EXPECT_EQ(at(shading::valleyReach, 50).dark, 0);
     EXPECT_NEAR(at(8, 50).height, 0, 0.06) << "the allowance ends";
     EXPECT_EQ(at(20, 50).height, 0);
-    EXPECT_LT(std::abs(at(SeamProfile::bulgeReach * 8 - 0.1F, 50).slope[0]), 1e-3) << "softly";
+    EXPECT_LT(std::abs(at(shading::bulgeReach * 8 - 0.1F, 50).slope[0]), 1e-3) << "softly";
 }
 
 TEST(SeamProfile, WithoutAllowanceAndValleyThereIsNothing)

@@ -1,11 +1,14 @@
 #include "TemporaryFile.h"
 #include "TestFiles.h"
+#include "Unfinished.h"
 
 #include <QDateTime>
 #include <QDir>
 
+#include <atomic>
 #include <csignal>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace bolster {
@@ -78,6 +81,27 @@ TEST_F(TemporaryFileTest, ThoseOfOtherMachinesAreLeftAloneForADay)
     makeOld(other, 2);
     removeLeftTemporaryFiles(m_folder.path());
     EXPECT_TRUE(hidden().isEmpty());
+}
+
+/// Whoever ends the program while another thread is at work in its folder leaves nothing all the same.
+TEST(WorkFolderTest, IsRemovedWhileFilesAreMadeInIt)
+{
+    for (int time = 0; time < 20; ++time) {
+        const WorkFolder folder;
+        ASSERT_TRUE(folder.isValid());
+        std::atomic<int> made = 0;
+        std::jthread maker([&] {
+            QFile file;
+            do // until the folder is gone
+                file.setFileName(folder.filePath(QString::number(made++)));
+            while (file.open(QIODevice::WriteOnly) && (file.close(), true));
+        });
+        while (made < 50)
+            std::this_thread::yield();
+        removeUnfinished();
+        maker.join();
+        EXPECT_FALSE(QFileInfo::exists(folder.path())) << made;
+    }
 }
 
 } // namespace

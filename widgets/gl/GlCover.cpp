@@ -79,8 +79,6 @@ void GlCover::draw(const ViewScene& scene, const GlView& view, bool quick, GlCov
     view.setLights(m_program);
     m_program.set("square", scene.checker ? static_cast<float>(scene.checkerSize) : 0.F);
     m_program.set("quick", quick);
-    m_program.set("seamProfile", Eigen::Vector4f(SeamProfile::valleyDepth, SeamProfile::valleyReach,
-                                                 SeamProfile::bulgeHeight, SeamProfile::bulgeReach));
     QColor veil = scene.veil();
     veil.setAlphaF(scene.dimmed ? 0.45F : 0.F);
     m_program.set("veil", veil);

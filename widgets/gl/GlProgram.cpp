@@ -21,7 +21,7 @@ QByteArray resource(const char* name)
 QByteArray shaderSource(const char* name)
 {
     QByteArray text = resource(name);
-    for (const char* part : {"lit.glsl", "studio.glsl", "materials.glsl", "fabric.glsl"})
+    for (const char* part : {"lit.glsl", "studio.glsl", "materials.glsl", "seams.glsl", "fabric.glsl"})
         text.replace(QByteArray("#include \"") + part + '"', resource(part));
     return text;
 }

@@ -3,7 +3,7 @@
 #include "Commands.h"
 #include "CuttingPanel.h"
 #include "Docks.h"
-#include "FileFlow.h"
+#include "ExportFlow.h"
 #include "PatternView.h"
 #include "Selection.h"
 
@@ -21,7 +21,7 @@ CuttingCommands::CuttingCommands(Commands& commands, const Parts& parts)
     connect(&m_parts.panel, &CuttingPanel::chosen, this, [this](const CutFinding& finding) {
         showPlace(finding.problem.element, finding.patch, finding.place);
     });
-    connect(&m_parts.files, &FileFlow::placeWanted, this,
+    connect(&m_parts.exports, &ExportFlow::placeWanted, this,
             [this](ElementId element, ElementId patch, const Vec2& place) {
                 check();
                 showPlace(element, patch, place);

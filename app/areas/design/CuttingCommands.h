@@ -11,7 +11,7 @@ namespace bolster {
 class Commands;
 class CuttingPanel;
 class Docks;
-class FileFlow;
+class ExportFlow;
 class PatternView;
 class Selection;
 
@@ -21,7 +21,7 @@ class CuttingCommands : public QObject {
 public:
     struct Parts {
         CuttingPanel& panel;
-        FileFlow& files;
+        ExportFlow& exports;
         Selection& selection;
         PatternView& pattern;
         const Docks& docks;

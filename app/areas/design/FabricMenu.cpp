@@ -292,7 +292,7 @@ void FabricMenu::takeDrops()
         return m_parts.session.document().design().find<Patch>(id) ? id : noElement;
     };
     onto(m_parts.pattern, [this, patch](QPointF at) { return patch(m_parts.pattern.hit(at).patch); });
-    onto(m_parts.surface, [this, patch](QPointF at) { return patch(m_parts.surface.hit(at).element); });
+    onto(m_parts.coverView, [this, patch](QPointF at) { return patch(m_parts.coverView.hit(at).element); });
 }
 
 std::function<void()> FabricMenu::calm(std::function<void()> act)

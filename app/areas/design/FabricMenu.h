@@ -37,7 +37,7 @@ public:
         FabricPanel& panel;
         SolverLink& solver;
         PatternView& pattern;
-        CoverView& surface;
+        CoverView& coverView;
         Inspector& inspector;
         Docks& docks;
         QWidget& window;

@@ -16,10 +16,10 @@
 
 namespace bolster {
 
-FrameEdgeCommands::FrameEdgeCommands(Commands& commands, DesignSession& session, CoverView& surface,
+FrameEdgeCommands::FrameEdgeCommands(Commands& commands, DesignSession& session, CoverView& coverView,
                                      StatusLine& status, QWidget& window)
     : m_session(session)
-    , m_surface(surface)
+    , m_coverView(coverView)
     , m_status(status)
     , m_window(window)
 {
@@ -44,14 +44,14 @@ bool FrameEdgeCommands::hasFrame() const
 
 bool FrameEdgeCommands::isOn() const
 {
-    return m_surface.tool() == CoverToolKind::FixEdge;
+    return m_coverView.tool() == CoverToolKind::FixEdge;
 }
 
 /// CAD files are read once more for them: that takes as long as it took to import them.
 void FrameEdgeCommands::begin()
 {
     if (isOn()) {
-        m_surface.setTool(CoverToolKind::Select);
+        m_coverView.setTool(CoverToolKind::Select);
         return;
     }
     m_session.document().cancelGesture();
@@ -76,7 +76,7 @@ void FrameEdgeCommands::offer(const Subjects& subjects)
     if (edges->joined.empty())
         m_status.flash(tr("The frames have no edges: they are smooth everywhere, or are not read yet."));
     else
-        m_surface.startFrameEdges(std::move(edges));
+        m_coverView.startFrameEdges(std::move(edges));
 }
 
 FrameEdgeCommands::Subjects FrameEdgeCommands::subjects() const

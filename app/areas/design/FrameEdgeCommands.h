@@ -18,7 +18,7 @@ class FrameEdgeCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(FrameEdgeCommands)
 
 public:
-    FrameEdgeCommands(Commands& commands, DesignSession& session, CoverView& surface, StatusLine& status,
+    FrameEdgeCommands(Commands& commands, DesignSession& session, CoverView& coverView, StatusLine& status,
                       QWidget& window);
 
 private:
@@ -40,7 +40,7 @@ private:
     static OfferedEdges offered(const Subjects& subjects);
 
     DesignSession& m_session;
-    CoverView& m_surface;
+    CoverView& m_coverView;
     StatusLine& m_status;
     QWidget& m_window;
     Subjects m_known; ///< what was read last

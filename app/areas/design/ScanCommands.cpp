@@ -5,7 +5,7 @@
 #include "CoverAtRest.h"
 #include "CoverView.h"
 #include "Document.h"
-#include "FileFlow.h"
+#include "ImportFlow.h"
 #include "Inspector.h"
 #include "ScanEdits.h"
 #include "ScanLink.h"
@@ -21,21 +21,21 @@
 namespace bolster {
 
 ScanCommands::ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans,
-                           FileFlow& files, CoverView& surface, Inspector& inspector, StatusLine& status,
+                           ImportFlow& imports, CoverView& coverView, Inspector& inspector, StatusLine& status,
                            CoverAtRest& cover, QWidget& window)
     : m_commands(commands)
     , m_cover(cover)
     , m_document(document)
     , m_selection(selection)
     , m_scans(scans)
-    , m_files(files)
-    , m_surface(surface)
+    , m_imports(imports)
+    , m_coverView(coverView)
     , m_status(status)
     , m_window(window)
 {
     add();
     commands.menu("scan")->setToolTipsVisible(true);
-    connect(&inspector, &Inspector::framePiecesPointedAt, &surface.shown(), &ShownScene::showFramePieces);
+    connect(&inspector, &Inspector::framePiecesPointedAt, &coverView.shown(), &ShownScene::showFramePieces);
     connect(&inspector, &Inspector::scanWish, this, &ScanCommands::work);
 }
 
@@ -104,7 +104,7 @@ void ScanCommands::add()
                      .tip = tr("Reads the scan from another file"),
                      .places = {"scan/3"},
                      .enabled = any,
-                     .does = [this] { onTheScan([this](ElementId scan) { m_files.replaceFile(scan); }); }}});
+                     .does = [this] { onTheScan([this](ElementId scan) { m_imports.replaceFile(scan); }); }}});
 }
 
 std::function<void()> ScanCommands::wishes(ScanWish wish)
@@ -145,7 +145,7 @@ void ScanCommands::work(ElementId scan, ScanWish wish)
     case ScanWish::CutAway:
     case ScanWish::KeepOnly:
         m_commands["layer.scans"]->setChecked(true); // else there is nothing to be seen of what is cut
-        m_surface.startScanCut(scan, wish == ScanWish::KeepOnly);
+        m_coverView.startScanCut(scan, wish == ScanWish::KeepOnly);
         break;
     case ScanWish::KeepAroundCover:
         m_scans.keepAroundCover(scan);
@@ -185,7 +185,7 @@ void ScanCommands::fitPlacement(ElementId scan)
 
 void ScanCommands::askForPlaces(ElementId scan, const std::vector<ScanMark>& marks)
 {
-    m_surface.startScanAlign(
+    m_coverView.startScanAlign(
         scan, [this](ElementId aligned, const std::vector<ScanMark>& clicked) { align(aligned, clicked); }, marks);
 }
 

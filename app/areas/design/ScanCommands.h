@@ -14,7 +14,7 @@ namespace bolster {
 class Commands;
 class CoverAtRest;
 class Document;
-class FileFlow;
+class ImportFlow;
 class Inspector;
 struct ScanJob;
 class ScanLink;
@@ -28,8 +28,9 @@ class ScanCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(ScanCommands)
 
 public:
-    ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans, FileFlow& files,
-                 CoverView& surface, Inspector& inspector, StatusLine& status, CoverAtRest& cover, QWidget& window);
+    ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans, ImportFlow& imports,
+                 CoverView& coverView, Inspector& inspector, StatusLine& status, CoverAtRest& cover,
+                 QWidget& window);
 
 private:
     void add();
@@ -46,8 +47,8 @@ private:
     Document& m_document;
     Selection& m_selection;
     ScanLink& m_scans;
-    FileFlow& m_files;
-    CoverView& m_surface;
+    ImportFlow& m_imports;
+    CoverView& m_coverView;
     StatusLine& m_status;
     QWidget& m_window;
 };

@@ -5,7 +5,7 @@
 #include "Commands.h"
 #include "CoverView.h"
 #include "DesignSession.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "OwnWindow.h"
 #include "PatternView.h"
 #include "ReportDialog.h"
@@ -58,15 +58,17 @@ void StartCommands::addCommands(Commands& commands)
 void StartCommands::connectPage(Commands& commands)
 {
     StartPage& page = m_parts.page;
-    FileFlow& files = m_parts.files;
+    FileFlows& files = m_parts.files;
     connect(&page, &StartPage::frameWanted, this, [this, &files] {
         begin([this, &files] {
             m_begunWithFrame = true;
-            files.importFrame();
+            files.imports.importFrame();
         });
     });
-    connect(&page, &StartPage::patternWanted, this, [this, &files] { begin([&files] { files.importPattern(); }); });
-    connect(&page, &StartPage::scanWanted, this, [this, &files] { begin([&files] { files.importScan(); }); });
+    connect(&page, &StartPage::patternWanted, this,
+            [this, &files] { begin([&files] { files.imports.importPattern(); }); });
+    connect(&page, &StartPage::scanWanted, this,
+            [this, &files] { begin([&files] { files.imports.importScan(); }); });
     connect(&page, &StartPage::rectangleWanted, this, [this] {
         begin([this] {
             m_parts.page.close();
@@ -74,13 +76,15 @@ void StartCommands::connectPage(Commands& commands)
             m_parts.pattern.setFocus(Qt::OtherFocusReason);
         });
     });
-    connect(&page, &StartPage::openWanted, this, [&files] { files.open(); });
-    connect(&page, &StartPage::fileWanted, this, [&files](const QString& path) { files.open(path); });
-    connect(&page, &StartPage::templateWanted, this, [&files](const QString& path) { files.openTemplate(path); });
-    connect(&page, &StartPage::leftWanted, this, [&files](const WorkJournal::Left& left) { files.openLeft(left); });
+    connect(&page, &StartPage::openWanted, this, [&files] { files.opening.open(); });
+    connect(&page, &StartPage::fileWanted, this, [&files](const QString& path) { files.opening.open(path); });
+    connect(&page, &StartPage::templateWanted, this,
+            [&files](const QString& path) { files.opening.openTemplate(path); });
+    connect(&page, &StartPage::leftWanted, this,
+            [&files](const WorkJournal::Left& left) { files.left.openLeft(left); });
     connect(&page, &StartPage::tourWanted, commands["help.tour"], &QAction::trigger);
-    connect(&files, &FileFlow::leftFound, &page, &StartPage::setLeft);
-    connect(&files, &FileFlow::imported, this, [this](FileKind kind) {
+    connect(&files.left, &LeftWork::leftFound, &page, &StartPage::setLeft);
+    connect(&files.imports, &ImportFlow::imported, this, [this](FileKind kind) {
         if (std::exchange(m_begunWithFrame, false) && kind == FileKind::Mesh)
             sayWhatIsNext();
     });
@@ -101,7 +105,7 @@ void StartCommands::closeWhenBegun()
         if (kind != PatternToolKind::Select)
             page.close();
     });
-    connect(&m_parts.surface, &CoverView::toolChanged, &page, [&page](CoverToolKind kind) {
+    connect(&m_parts.coverView, &CoverView::toolChanged, &page, [&page](CoverToolKind kind) {
         if (kind != CoverToolKind::Select)
             page.close();
     });
@@ -120,14 +124,14 @@ void StartCommands::begin(const std::function<void()>& what)
     if (untouched())
         what();
     else
-        m_parts.files.startNew(what);
+        m_parts.files.opening.startNew(what);
 }
 
 void StartCommands::openPage()
 {
     m_begunWithFrame = false;
     m_parts.page.open(!untouched());
-    m_parts.files.findLeft();
+    m_parts.files.left.findLeft();
 }
 
 void StartCommands::greet()
@@ -151,7 +155,7 @@ void StartCommands::sayWhatIsNext()
     m_parts.banner.announce(
         Banner::Kind::Information,
         tr("The frame is in the 3D view. Draw the curves on it where the cloth is fixed, or the first patch."),
-        {{tr("Draw a &fixation curve"), [this] { m_parts.surface.setTool(CoverToolKind::DrawFixation); }},
+        {{tr("Draw a &fixation curve"), [this] { m_parts.coverView.setTool(CoverToolKind::DrawFixation); }},
          {tr("Draw a &rectangle"), [this] { m_parts.pattern.setTool(PatternToolKind::Rectangle); }},
          {tr("Pattern of a form \u2026"), [this] { m_commands["pattern.from-form"]->trigger(); }}});
 }

@@ -14,9 +14,9 @@ class Banner;
 class Commands;
 class CoverView;
 class DesignSession;
-class FileFlow;
 class PatternView;
 class StartPage;
+struct FileFlows;
 
 class StartCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(StartCommands)
@@ -25,9 +25,9 @@ public:
     struct Parts {
         StartPage& page;
         DesignSession& session;
-        FileFlow& files;
+        FileFlows& files;
         PatternView& pattern;
-        CoverView& surface;
+        CoverView& coverView;
         Banner& banner;
         QWidget& window;
     };

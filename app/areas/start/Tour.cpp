@@ -4,7 +4,7 @@
 #include "CoverView.h"
 #include "DesignSession.h"
 #include "Docks.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "MapLink.h"
 #include "PatternView.h"
 #include "Samples.h"
@@ -148,7 +148,7 @@ void Tour::watch()
         if (m_parts.maps.map() && (kind == Kind::Strain || kind == Kind::Along || kind == Kind::Across))
             did(Deed::StrainSeen);
     });
-    connect(&m_parts.files, &FileFlow::exported, this, [this] { did(Deed::Exported); });
+    connect(&m_parts.files.exports, &ExportFlow::exported, this, [this] { did(Deed::Exported); });
 }
 
 void Tour::historyChanged()
@@ -182,7 +182,7 @@ void Tour::start()
         begin();
         return;
     }
-    m_parts.files.open(tourSample(), [this] {
+    m_parts.files.opening.open(tourSample(), [this] {
         m_onSample = true;
         begin();
     });

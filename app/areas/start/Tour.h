@@ -20,12 +20,12 @@ class Commands;
 class CoverView;
 class DesignSession;
 class Docks;
-class FileFlow;
 class MapLink;
 class PatternView;
 class Selection;
 class TourMark;
 class TourPanel;
+struct FileFlows;
 
 /// Goes on when somebody has really done what a step says, or by Next. Where it was left is kept in the settings.
 class Tour : public QObject {
@@ -36,9 +36,9 @@ public:
         DesignSession& session;
         Selection& selection;
         MapLink& maps;
-        FileFlow& files;
+        FileFlows& files;
         PatternView& pattern;
-        CoverView& surface;
+        CoverView& coverView;
         Docks& docks;
         QMainWindow& window;
     };

@@ -5,7 +5,7 @@
 #include "CoverAtRest.h"
 #include "CoverView.h"
 #include "FabricLink.h"
-#include "FileFlow.h"
+#include "FileFlows.h"
 #include "RenderDialog.h"
 #include "SolverLink.h"
 #include "ViewPrint.h"
@@ -14,13 +14,13 @@
 
 namespace bolster {
 
-FileCommands::FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
-                           CoverAtRest& cover, CoverView& surface, FabricLink& fabrics, QWidget& window)
+FileCommands::FileCommands(Commands& commands, FileFlows& files, DesignSession& session, SolverLink& solver,
+                           CoverAtRest& cover, CoverView& coverView, FabricLink& fabrics, QWidget& window)
     : m_files(files)
     , m_session(session)
     , m_solver(solver)
     , m_cover(cover)
-    , m_surface(surface)
+    , m_coverView(coverView)
     , m_fabrics(fabrics)
     , m_window(window)
 {
@@ -41,7 +41,7 @@ void FileCommands::addOpening(Commands& commands)
                    .keys = {QKeySequence::New},
                    .places = {"file/1"},
                    .bar = 101,
-                   .does = [this] { m_files.startNew(); }},
+                   .does = [this] { m_files.opening.startNew(); }},
                   {.id = "file.open",
                    .formerly = "open",
                    .text = tr("&Open \u2026"),
@@ -49,19 +49,19 @@ void FileCommands::addOpening(Commands& commands)
                    .keys = {QKeySequence::Open},
                    .places = {"file/1"},
                    .bar = 102,
-                   .does = [this] { m_files.open(); }},
+                   .does = [this] { m_files.opening.open(); }},
                   {.id = "file.quit",
                    .formerly = "quit",
                    .text = tr("&Quit"),
                    .keys = {Qt::CTRL | Qt::Key_Q},
                    .places = {"file/5"},
                    .does = [this] { m_window.close(); }}});
-    commands.add(
-        MenuPlace{"file.recent", tr("Open &recent"), "file/1", [this](QMenu& menu) { m_files.fillRecent(menu); }});
+    commands.add(MenuPlace{"file.recent", tr("Open &recent"), "file/1",
+                           [this](QMenu& menu) { m_files.opening.fillRecent(menu); }});
     commands.add(MenuPlace{"file.unsaved", tr("&Unsaved work"), "file/1",
-                           [this](QMenu& menu) { m_files.fillUnsaved(menu); }});
+                           [this](QMenu& menu) { m_files.left.fillUnsaved(menu); }});
     commands.add(MenuPlace{"file.samples", tr("Sa&mples"), "file/1"});
-    m_files.fillSamples(*commands.menu("file.samples"));
+    m_files.opening.fillSamples(*commands.menu("file.samples"));
 }
 
 void FileCommands::addSaving(Commands& commands)
@@ -73,30 +73,30 @@ void FileCommands::addSaving(Commands& commands)
                    .keys = {QKeySequence::Save},
                    .places = {"file/2"},
                    .bar = 103,
-                   .does = [this] { m_files.save(); }},
+                   .does = [this] { m_files.saving.save(); }},
                   {.id = "file.save-as",
                    .formerly = "save-as",
                    .text = tr("Save &as \u2026"),
                    .icon = "save-as",
                    .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_S},
                    .places = {"file/2"},
-                   .does = [this] { m_files.saveAs(); }}});
+                   .does = [this] { m_files.saving.saveAs(); }}});
     commands.add(MenuPlace{"file.copy", tr("Save a &copy"), "file/2"});
     commands.add({{.id = "file.copy-everything",
                    .formerly = "with-everything",
                    .text = tr("With &everything \u2026"),
                    .places = {"file.copy/1"},
-                   .does = [this] { m_files.saveCopy({}); }},
+                   .does = [this] { m_files.saving.saveCopy({}); }},
                   {.id = "file.copy-without-history",
                    .formerly = "without-history",
                    .text = tr("Without &history \u2026"),
                    .places = {"file.copy/1"},
-                   .does = [this] { m_files.saveCopy({.withHistory = false}); }},
+                   .does = [this] { m_files.saving.saveCopy({.withHistory = false}); }},
                   {.id = "file.copy-without-scans",
                    .formerly = "without-history-and-scans",
                    .text = tr("Without history and &scans \u2026"),
                    .places = {"file.copy/1"},
-                   .does = [this] { m_files.saveCopy({.withHistory = false, .withScans = false}); }},
+                   .does = [this] { m_files.saving.saveCopy({.withHistory = false, .withScans = false}); }},
                   {.id = "file.revert",
                    .formerly = "revert-to-saved",
                    .text = tr("Re&vert to saved"),
@@ -104,9 +104,9 @@ void FileCommands::addSaving(Commands& commands)
                    .enabled =
                        [this] {
                            const Document& document = m_session.document();
-                           return m_files.hasSaved() && document.history().current() != document.saved();
+                           return m_files.saving.hasSaved() && document.history().current() != document.saved();
                        },
-                   .does = [this] { m_files.revert(); }}});
+                   .does = [this] { m_files.saving.revert(); }}});
 }
 
 void FileCommands::addExchange(Commands& commands)
@@ -117,80 +117,84 @@ void FileCommands::addExchange(Commands& commands)
                                    [](const auto& e) { return std::holds_alternative<Patch>(*e.second); });
     };
     const auto covered = [this] { return m_solver.surface() != nullptr; };
-    commands.add(
-        {{.id = "file.import-frame",
-          .formerly = "import-frame",
-          .text = tr("&Import frame \u2026"),
-          .icon = "import-frame",
-          .keys = {Qt::CTRL | Qt::Key_I},
-          .places = {"file/3"},
-          .does = [this] { m_files.importFrame(); }},
-         {.id = "file.import-scan",
-          .formerly = "import-scan",
-          .text = tr("Impor&t scan \u2026"),
-          .icon = "import-scan",
-          .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_I},
-          .places = {"file/3"},
-          .does = [this] { m_files.importScan(); }},
-         {.id = "file.import-pattern",
-          .text = tr("Import pattern (DX&F, SVG) \u2026"),
-          .icon = "patch",
-          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_I},
-          .places = {"file/3"},
-          .does = [this] { m_files.importPattern(); }},
-         {.id = "file.export-surface",
-          .formerly = "export-surface",
-          .text = tr("&Export surface \u2026"),
-          .icon = "export",
-          .keys = {Qt::CTRL | Qt::Key_E},
-          .places = {"file/4"},
-          .enabled = covered,
-          .does = [this] { m_cover.then([this] { m_files.exportSurface(m_solver.surface()); }); }},
-         {.id = "file.export-cover",
-          .text = tr("Export cover (&HTML, glTF, STL) \u2026"),
-          .icon = "export",
-          .places = {"file/4"},
-          .enabled = covered,
-          .does = [this] { m_cover.then([this] { m_files.exportCover(m_solver.surface(), m_fabrics.baker()); }); }},
-         {.id = "file.export-foam",
-          .text = tr("Export foam &body \u2026"),
-          .places = {"file/4"},
-          .enabled = covered,
-          .does = [this] { m_cover.then([this] { m_files.exportFoam(m_solver.surface()); }); }},
-         {.id = "file.export-pattern",
-          .text = tr("E&xport pattern \u2026"),
-          .icon = "patch",
-          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_E},
-          .places = {"file/4"},
-          .enabled = patches,
-          .does =
-              [this] {
-                  m_files.exportPattern([this] { return m_solver.surface() ? m_surface.grabCover() : QImage(); });
-              }},
-         {.id = "file.export-picture",
-          .formerly = "export-picture",
-          .text = tr("Export &picture \u2026"),
-          .icon = "picture",
-          .places = {"file/4"},
-          .does = [this] { exportPicture(); }},
-         {.id = "file.render-picture",
-          .formerly = "render-picture",
-          .text = tr("Ren&der picture \u2026"),
-          .icon = "picture",
-          .keys = {Qt::Key_F12},
-          .places = {"file/4"},
-          .enabled = covered,
-          .does = [this] { m_cover.then([this] { renderPicture(); }); }},
-         {.id = "file.print-view",
-          .text = tr("Print view \u2026"),
-          .keys = {QKeySequence::Print},
-          .places = {"file/4"},
-          .does = [this] { printView(); }}});
+    commands.add({{.id = "file.import-frame",
+                   .formerly = "import-frame",
+                   .text = tr("&Import frame \u2026"),
+                   .icon = "import-frame",
+                   .keys = {Qt::CTRL | Qt::Key_I},
+                   .places = {"file/3"},
+                   .does = [this] { m_files.imports.importFrame(); }},
+                  {.id = "file.import-scan",
+                   .formerly = "import-scan",
+                   .text = tr("Impor&t scan \u2026"),
+                   .icon = "import-scan",
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_I},
+                   .places = {"file/3"},
+                   .does = [this] { m_files.imports.importScan(); }},
+                  {.id = "file.import-pattern",
+                   .text = tr("Import pattern (DX&F, SVG) \u2026"),
+                   .icon = "patch",
+                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_I},
+                   .places = {"file/3"},
+                   .does = [this] { m_files.imports.importPattern(); }},
+                  {.id = "file.export-surface",
+                   .formerly = "export-surface",
+                   .text = tr("&Export surface \u2026"),
+                   .icon = "export",
+                   .keys = {Qt::CTRL | Qt::Key_E},
+                   .places = {"file/4"},
+                   .enabled = covered,
+                   .does = [this] { m_cover.then([this] { m_files.exports.exportSurface(m_solver.surface()); }); }},
+                  {.id = "file.export-cover",
+                   .text = tr("Export cover (&HTML, glTF, STL) \u2026"),
+                   .icon = "export",
+                   .places = {"file/4"},
+                   .enabled = covered,
+                   .does =
+                       [this] {
+                           m_cover.then(
+                               [this] { m_files.exports.exportCover(m_solver.surface(), m_fabrics.baker()); });
+                       }},
+                  {.id = "file.export-foam",
+                   .text = tr("Export foam &body \u2026"),
+                   .places = {"file/4"},
+                   .enabled = covered,
+                   .does = [this] { m_cover.then([this] { m_files.exports.exportFoam(m_solver.surface()); }); }},
+                  {.id = "file.export-pattern",
+                   .text = tr("E&xport pattern \u2026"),
+                   .icon = "patch",
+                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_E},
+                   .places = {"file/4"},
+                   .enabled = patches,
+                   .does =
+                       [this] {
+                           m_files.exports.exportPattern(
+                               [this] { return m_solver.surface() ? m_coverView.grabCover() : QImage(); });
+                       }},
+                  {.id = "file.export-picture",
+                   .formerly = "export-picture",
+                   .text = tr("Export &picture \u2026"),
+                   .icon = "picture",
+                   .places = {"file/4"},
+                   .does = [this] { exportPicture(); }},
+                  {.id = "file.render-picture",
+                   .formerly = "render-picture",
+                   .text = tr("Ren&der picture \u2026"),
+                   .icon = "picture",
+                   .keys = {Qt::Key_F12},
+                   .places = {"file/4"},
+                   .enabled = covered,
+                   .does = [this] { m_cover.then([this] { renderPicture(); }); }},
+                  {.id = "file.print-view",
+                   .text = tr("Print view \u2026"),
+                   .keys = {QKeySequence::Print},
+                   .places = {"file/4"},
+                   .does = [this] { printView(); }}});
 }
 
 void FileCommands::printView()
 {
-    const auto print = [this] { printSheet(&m_window, sheetOf(m_surface, m_session.title())); };
+    const auto print = [this] { printSheet(&m_window, sheetOf(m_coverView, m_session.title())); };
     if (m_solver.surface())
         m_cover.then(print);
     else
@@ -199,7 +203,7 @@ void FileCommands::printView()
 
 void FileCommands::exportPicture()
 {
-    const auto take = [this] { m_files.exportPicture(m_surface.grabPicture()); };
+    const auto take = [this] { m_files.exports.exportPicture(m_coverView.grabPicture()); };
     if (m_solver.surface())
         m_cover.then(take);
     else
@@ -217,8 +221,8 @@ void FileCommands::renderPicture()
                                   m_fabrics.baker(),
                                   m_fabrics.bakedByNow(),
                                   m_session.title(),
-                                  m_surface.navigation().camera(),
-                                  m_files.proposedPicture()};
+                                  m_coverView.navigation().camera(),
+                                  m_files.exports.proposedPicture()};
     openDialog(new RenderDialog(std::move(subject), &m_window));
 }
 

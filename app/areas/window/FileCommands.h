@@ -12,16 +12,16 @@ class Commands;
 class CoverAtRest;
 class DesignSession;
 class FabricLink;
-class FileFlow;
 class SolverLink;
 class CoverView;
+struct FileFlows;
 
 class FileCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(FileCommands)
 
 public:
-    FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
-                 CoverAtRest& cover, CoverView& surface, FabricLink& fabrics, QWidget& window);
+    FileCommands(Commands& commands, FileFlows& files, DesignSession& session, SolverLink& solver,
+                 CoverAtRest& cover, CoverView& coverView, FabricLink& fabrics, QWidget& window);
 
 private:
     void addOpening(Commands& commands);
@@ -31,11 +31,11 @@ private:
     void printView();
     void renderPicture();
 
-    FileFlow& m_files;
+    FileFlows& m_files;
     DesignSession& m_session;
     SolverLink& m_solver;
     CoverAtRest& m_cover;
-    CoverView& m_surface;
+    CoverView& m_coverView;
     FabricLink& m_fabrics;
     QWidget& m_window;
 };

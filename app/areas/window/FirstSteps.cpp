@@ -3,10 +3,10 @@
 #include "Commands.h"
 #include "CoverView.h"
 #include "DesignSession.h"
-#include "FileFlow.h"
 #include "FreeCover.h"
 #include "LayoutEdits.h"
 #include "NextStep.h"
+#include "OpenFlow.h"
 #include "PatternView.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
@@ -20,13 +20,13 @@
 namespace bolster {
 
 FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-                       PatternView& pattern, CoverView& surface, FileFlow& files, StartPage& page)
+                       PatternView& pattern, CoverView& coverView, OpenFlow& opening, StartPage& page)
     : m_session(session)
     , m_selection(selection)
     , m_pattern(pattern)
-    , m_surface(surface)
+    , m_coverView(coverView)
 {
-    hintAtStart(commands, files, page);
+    hintAtStart(commands, opening, page);
     showFreeCover(solver);
     hintAtNext(commands);
     connect(&pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
@@ -37,14 +37,14 @@ FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& se
     });
 }
 
-void FirstSteps::hintAtStart(Commands& commands, FileFlow& files, StartPage& page)
+void FirstSteps::hintAtStart(Commands& commands, OpenFlow& opening, StartPage& page)
 {
     auto* hint = new StartHint(m_session.document(), m_pattern);
     connect(hint, &StartHint::rectangleWanted, this, [this] { m_pattern.setTool(PatternToolKind::Rectangle); });
     connect(hint, &StartHint::outlineWanted, this, [this] { m_pattern.setTool(PatternToolKind::Outline); });
     connect(hint, &StartHint::frameWanted, commands["file.import-frame"], &QAction::trigger);
-    connect(hint, &StartHint::openWanted, this, [&files] { files.open(); });
-    connect(hint, &StartHint::fileWanted, this, [&files](const QString& path) { files.open(path); });
+    connect(hint, &StartHint::openWanted, this, [&opening] { opening.open(); });
+    connect(hint, &StartHint::fileWanted, this, [&opening](const QString& path) { opening.open(path); });
     connect(&page, &StartPage::toggled, hint, &StartHint::setCovered);
     connect(&m_pattern, &PatternView::toolChanged, hint,
             [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
@@ -52,9 +52,9 @@ void FirstSteps::hintAtStart(Commands& commands, FileFlow& files, StartPage& pag
 
 void FirstSteps::showFreeCover(SolverLink& solver)
 {
-    auto* freeCover = new FreeCover(m_session.document(), solver, m_surface, this);
+    auto* freeCover = new FreeCover(m_session.document(), solver, m_coverView, this);
     connect(&m_session, &DesignSession::opened, freeCover,
-            [this, freeCover] { freeCover->begin(m_surface.navigation().hasReturned()); });
+            [this, freeCover] { freeCover->begin(m_coverView.navigation().hasReturned()); });
 }
 
 void FirstSteps::hintAtNext(Commands& commands)
@@ -62,7 +62,7 @@ void FirstSteps::hintAtNext(Commands& commands)
     auto* next = new NextStep(m_session.document(), m_pattern);
     connect(next, &NextStep::drawWanted, this, [this] { m_pattern.setTool(PatternToolKind::Rectangle); });
     connect(next, &NextStep::sewWanted, this, [this] { m_pattern.setTool(PatternToolKind::Sew); });
-    connect(next, &NextStep::fixationWanted, this, [this] { m_surface.setTool(CoverToolKind::DrawFixation); });
+    connect(next, &NextStep::fixationWanted, this, [this] { m_coverView.setTool(CoverToolKind::DrawFixation); });
     connect(next, &NextStep::attachWanted, this, [this] { m_pattern.setTool(PatternToolKind::Attach); });
     connect(next, &NextStep::selectAllWanted, commands["edit.select-all"], &QAction::trigger);
 }

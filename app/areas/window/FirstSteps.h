@@ -9,7 +9,7 @@ namespace bolster {
 
 class Commands;
 class DesignSession;
-class FileFlow;
+class OpenFlow;
 class PatternView;
 class Selection;
 class SolverLink;
@@ -19,10 +19,10 @@ class StartPage;
 class FirstSteps : public QObject {
 public:
     FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-               PatternView& pattern, CoverView& surface, FileFlow& files, StartPage& page);
+               PatternView& pattern, CoverView& coverView, OpenFlow& opening, StartPage& page);
 
 private:
-    void hintAtStart(Commands& commands, FileFlow& files, StartPage& page);
+    void hintAtStart(Commands& commands, OpenFlow& opening, StartPage& page);
     void showFreeCover(SolverLink& solver);
     void hintAtNext(Commands& commands);
     void showDrawn();
@@ -30,7 +30,7 @@ private:
     DesignSession& m_session;
     Selection& m_selection;
     PatternView& m_pattern;
-    CoverView& m_surface;
+    CoverView& m_coverView;
     PatternToolKind m_tool = PatternToolKind::Select;
 };
 

@@ -7,10 +7,10 @@
 
 namespace bolster {
 
-LayerCommands::LayerCommands(Commands& commands, PatternView& pattern, CoverView& surface, SolverLink& solver)
+LayerCommands::LayerCommands(Commands& commands, PatternView& pattern, CoverView& coverView, SolverLink& solver)
     : m_commands(commands)
     , m_pattern(pattern)
-    , m_surface(surface)
+    , m_coverView(coverView)
     , m_solver(solver)
 {
     commands.add(MenuPlace{"view.layers", tr("La&yers"), "view/2"});
@@ -161,7 +161,7 @@ void LayerCommands::addOfScans()
                      .text = tr("Own &colours of scans"),
                      .places = {"view.layers/3"},
                      .on = true,
-                     .visible = [this] { return m_surface.shown().hasScanColors(); },
+                     .visible = [this] { return m_coverView.shown().hasScanColors(); },
                      .toggled = show},
                     {.id = "layer.grid",
                      .formerly = "grid",
@@ -195,7 +195,7 @@ void LayerCommands::apply()
     layers.symmetry = on("layer.symmetry");
     m_pattern.shown().setLayers(layers);
 
-    m_surface.setMeasurementsShown(on("layer.measurements"));
+    m_coverView.setMeasurementsShown(on("layer.measurements"));
     using Layer = CoverView::Layer;
     for (const auto& [layer, id] :
          {std::pair(Layer::Checker, "layer.checker"), std::pair(Layer::MeshEdges, "layer.mesh"),
@@ -205,9 +205,9 @@ void LayerCommands::apply()
           std::pair(Layer::ScanPairs, "layer.scan-pairs"), std::pair(Layer::ScanColors, "layer.scan-colors"),
           std::pair(Layer::Twins, "layer.twins"), std::pair(Layer::Symmetry, "layer.symmetry"),
           std::pair(Layer::Ground, "layer.ground")})
-        m_surface.visibility().setLayerVisible(layer, on(id));
-    if (on("layer.field") != m_surface.visibility().layerVisible(Layer::Field)) {
-        m_surface.visibility().setLayerVisible(Layer::Field, on("layer.field"));
+        m_coverView.visibility().setLayerVisible(layer, on(id));
+    if (on("layer.field") != m_coverView.visibility().layerVisible(Layer::Field)) {
+        m_coverView.visibility().setLayerVisible(Layer::Field, on("layer.field"));
         m_solver.setFieldShown(on("layer.field"));
     }
 }

@@ -15,7 +15,7 @@ class LayerCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(LayerCommands)
 
 public:
-    LayerCommands(Commands& commands, PatternView& pattern, CoverView& surface, SolverLink& solver);
+    LayerCommands(Commands& commands, PatternView& pattern, CoverView& coverView, SolverLink& solver);
 
     /// Shows what is checked.
     void apply();
@@ -27,7 +27,7 @@ private:
 
     Commands& m_commands;
     PatternView& m_pattern;
-    CoverView& m_surface;
+    CoverView& m_coverView;
     SolverLink& m_solver;
 };
 

@@ -24,12 +24,12 @@ const std::pair<CoverMap::Kind, const char*> kinds[] = {
 } // namespace
 
 MapCommands::MapCommands(Commands& commands, MapLink& maps, ScanLink& scans, PatternView& pattern,
-                         CoverView& surface, Inspector& inspector, Docks& docks, SpotsPanel& spots)
+                         CoverView& coverView, Inspector& inspector, Docks& docks, SpotsPanel& spots)
     : m_commands(commands)
     , m_maps(maps)
     , m_scans(scans)
     , m_pattern(pattern)
-    , m_surface(surface)
+    , m_coverView(coverView)
     , m_inspector(inspector)
     , m_docks(docks)
     , m_spots(spots)
@@ -95,7 +95,7 @@ void MapCommands::connectViews()
         if (!visible)
             hideSpot();
     });
-    connect(&m_surface, &CoverView::coverPointed, this, &MapCommands::read);
+    connect(&m_coverView, &CoverView::coverPointed, this, &MapCommands::read);
     connect(&m_pattern, &PatternView::patchPointed, this, &MapCommands::read);
     connect(m_docks.cover, &QDockWidget::visibilityChanged, this,
             [this](bool visible) { m_pattern.setLegendShown(!visible); });
@@ -119,9 +119,9 @@ const ShownMapPtr& MapCommands::shown()
 
 void MapCommands::showMeasured()
 {
-    m_surface.setMap(shown());
+    m_coverView.setMap(shown());
     m_pattern.setMap(shown());
-    m_surface.shown().setScanPairs(m_scans.pairs());
+    m_coverView.shown().setScanPairs(m_scans.pairs());
     m_inspector.setScanFigures(m_scans.figures());
     read(m_place); // it says something else there now
 }
@@ -131,14 +131,14 @@ void MapCommands::read(const std::optional<CoverPoint>& place)
     m_place = place;
     const ShownMapPtr& map = shown();
     const QString reading = place && map ? MapLink::reading(*map, *place) : QString();
-    m_surface.setMapReading(reading);
+    m_coverView.setMapReading(reading);
     m_pattern.setMapReading(reading);
 }
 
 /// It was one of another map.
 void MapCommands::hideSpot()
 {
-    m_surface.showPlace({});
+    m_coverView.showPlace({});
     m_pattern.showPlace({});
     read({});
 }
@@ -167,9 +167,9 @@ void MapCommands::showSpotList()
 
 void MapCommands::showSpot(const CoverPoint& place)
 {
-    m_surface.face(place);
+    m_coverView.face(place);
     m_pattern.reveal(place);
-    m_surface.showPlace(place);
+    m_coverView.showPlace(place);
     m_pattern.showPlace(place);
 }
 

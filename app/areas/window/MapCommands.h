@@ -22,7 +22,7 @@ class MapCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(MapCommands)
 
 public:
-    MapCommands(Commands& commands, MapLink& maps, ScanLink& scans, PatternView& pattern, CoverView& surface,
+    MapCommands(Commands& commands, MapLink& maps, ScanLink& scans, PatternView& pattern, CoverView& coverView,
                 Inspector& inspector, Docks& docks, SpotsPanel& spots);
 
     /// In both views.
@@ -44,7 +44,7 @@ private:
     MapLink& m_maps;
     ScanLink& m_scans;
     PatternView& m_pattern;
-    CoverView& m_surface;
+    CoverView& m_coverView;
     Inspector& m_inspector;
     Docks& m_docks;
     SpotsPanel& m_spots;

@@ -76,9 +76,9 @@ void PreferenceCommands::apply()
     const Preferences& now = m_store.now();
     applyStyles(now);
     const bool reduced = now.drawing == QLatin1String("reduced");
-    m_parts.surface.setReduced(reduced);
+    m_parts.coverView.setReduced(reduced);
     m_parts.covers.setReduced(reduced);
-    m_parts.surface.navigation().setAnimated(!now.reducedMotion);
+    m_parts.coverView.navigation().setAnimated(!now.reducedMotion);
     m_parts.solver.setGliding(!now.reducedMotion);
     WorkJournal::setDaysInBin(now.daysInBin);
     m_parts.fabrics.setFolder(now.fabricFolder);

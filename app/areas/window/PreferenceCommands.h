@@ -31,7 +31,7 @@ public:
         DesignSession& session;
         SolverLink& solver;
         CoverLink& covers;
-        CoverView& surface;
+        CoverView& coverView;
         FabricCommands& fabrics;
         QMainWindow& window;
         std::function<void()> restart; ///< ends the program and starts it again

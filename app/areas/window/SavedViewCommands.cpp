@@ -10,8 +10,8 @@
 
 namespace bolster {
 
-SavedViewCommands::SavedViewCommands(Commands& commands, CoverView& surface, StatusLine& status, QWidget& window)
-    : m_surface(surface)
+SavedViewCommands::SavedViewCommands(Commands& commands, CoverView& coverView, StatusLine& status, QWidget& window)
+    : m_coverView(coverView)
     , m_status(status)
     , m_window(window)
 {
@@ -30,7 +30,7 @@ void SavedViewCommands::fill(QMenu& menu, QAction* save)
     for (const QString& name : names)
         menu.addAction(QString(name).replace(u'&', QStringLiteral("&&")), this, [this, name] {
             if (const std::optional<Viewpoint> view = SavedViews::find(name))
-                m_surface.navigation().flyTo(Camera{*view, {1, 1}});
+                m_coverView.navigation().flyTo(Camera{*view, {1, 1}});
         });
     menu.addSeparator();
     menu.addAction(save);
@@ -51,7 +51,7 @@ void SavedViewCommands::save()
     dialog->setLabelText(tr("Name of the view; one of the same name is replaced:"));
     dialog->setTextValue(tr("View %1").arg(SavedViews::names().size() + 1));
     connect(dialog, &QInputDialog::textValueSelected, this,
-            [this, camera = m_surface.navigation().camera()](const QString& text) {
+            [this, camera = m_coverView.navigation().camera()](const QString& text) {
                 if (text.trimmed().isEmpty())
                     return;
                 SavedViews::save(text.trimmed(), camera);

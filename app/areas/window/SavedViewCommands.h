@@ -18,13 +18,13 @@ class SavedViewCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(SavedViewCommands)
 
 public:
-    SavedViewCommands(Commands& commands, CoverView& surface, StatusLine& status, QWidget& window);
+    SavedViewCommands(Commands& commands, CoverView& coverView, StatusLine& status, QWidget& window);
 
 private:
     void fill(QMenu& menu, QAction* save);
     void save();
 
-    CoverView& m_surface;
+    CoverView& m_coverView;
     StatusLine& m_status;
     QWidget& m_window;
 };

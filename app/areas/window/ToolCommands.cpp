@@ -18,9 +18,9 @@ bool isOfCutting(PatternToolKind kind)
 
 } // namespace
 
-ToolCommands::ToolCommands(Commands& commands, PatternView& pattern, CoverView& surface, const Docks& docks)
+ToolCommands::ToolCommands(Commands& commands, PatternView& pattern, CoverView& coverView, const Docks& docks)
     : m_pattern(pattern)
-    , m_surface(surface)
+    , m_coverView(coverView)
 {
     add(commands);
     addInSurface(commands);
@@ -101,7 +101,7 @@ void ToolCommands::addInSurface(Commands& commands)
                   .does =
                       [this] {
                           const bool on = isOn(CoverToolKind::DrawFixation);
-                          m_surface.setTool(on ? CoverToolKind::Select : CoverToolKind::DrawFixation);
+                          m_coverView.setTool(on ? CoverToolKind::Select : CoverToolKind::DrawFixation);
                       }});
 }
 
@@ -109,11 +109,11 @@ void ToolCommands::addInSurface(Commands& commands)
 void ToolCommands::connectViews(Commands& commands)
 {
     connect(&m_pattern, &PatternView::toolChanged, this, [this, &commands](PatternToolKind now) {
-        if (now != PatternToolKind::Select || m_surface.tool() == CoverToolKind::Measure)
-            m_surface.setTool(now == PatternToolKind::Measure ? CoverToolKind::Measure : CoverToolKind::Select);
+        if (now != PatternToolKind::Select || m_coverView.tool() == CoverToolKind::Measure)
+            m_coverView.setTool(now == PatternToolKind::Measure ? CoverToolKind::Measure : CoverToolKind::Select);
         commands.update();
     });
-    connect(&m_surface, &CoverView::toolChanged, this, [this, &commands](CoverToolKind now) {
+    connect(&m_coverView, &CoverView::toolChanged, this, [this, &commands](CoverToolKind now) {
         if (now == CoverToolKind::Measure)
             m_pattern.setTool(PatternToolKind::Measure);
         else if (now != CoverToolKind::Select || m_pattern.tool() == PatternToolKind::Measure)
@@ -125,7 +125,7 @@ void ToolCommands::connectViews(Commands& commands)
 bool ToolCommands::isOn(PatternToolKind kind) const
 {
     const bool measures = kind == PatternToolKind::Measure;
-    return m_surface.tool() == (measures ? CoverToolKind::Measure : CoverToolKind::Select) &&
+    return m_coverView.tool() == (measures ? CoverToolKind::Measure : CoverToolKind::Select) &&
            m_pattern.tool() == kind;
 }
 
@@ -133,14 +133,14 @@ bool ToolCommands::isOn(PatternToolKind kind) const
 void ToolCommands::begin(PatternToolKind kind)
 {
     const bool on = isOn(kind);
-    m_surface.setTool(CoverToolKind::Select);
+    m_coverView.setTool(CoverToolKind::Select);
     m_pattern.setTool(on ? PatternToolKind::Select : kind);
 }
 
 void ToolCommands::end()
 {
     m_pattern.setTool(PatternToolKind::Select);
-    m_surface.setTool(CoverToolKind::Select);
+    m_coverView.setTool(CoverToolKind::Select);
 }
 
 } // namespace bolster

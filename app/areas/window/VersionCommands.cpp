@@ -11,12 +11,12 @@
 namespace bolster {
 
 VersionCommands::VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics,
-                                 CoverView& surface, HistoryPanel& history, QWidget& window)
+                                 CoverView& coverView, HistoryPanel& history, QWidget& window)
     : m_session(session)
     , m_solver(solver)
     , m_fabrics(fabrics)
     , m_window(window)
-    , m_thumbnails(std::make_unique<Thumbnails>(session, solver, surface))
+    , m_thumbnails(std::make_unique<Thumbnails>(session, solver, coverView))
 {
     HistoryModel& model = history.view().history();
     model.setPictures([this](NodeId node) { return m_thumbnails->picture(node); });

@@ -20,7 +20,7 @@ class Thumbnails;
 
 class VersionCommands : public QObject {
 public:
-    VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics, CoverView& surface,
+    VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics, CoverView& coverView,
                     HistoryPanel& history, QWidget& window);
     ~VersionCommands() override;
 

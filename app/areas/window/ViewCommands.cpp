@@ -20,12 +20,12 @@
 namespace bolster {
 
 ViewCommands::ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
-                           CoverView& surface, ElementsView& elements, StatusLine& status,
+                           CoverView& coverView, ElementsView& elements, StatusLine& status,
                            PreferenceStore& preferences)
     : m_document(document)
     , m_selection(selection)
     , m_pattern(pattern)
-    , m_surface(surface)
+    , m_coverView(coverView)
     , m_elements(elements)
     , m_status(status)
     , m_preferences(preferences)
@@ -36,13 +36,13 @@ ViewCommands::ViewCommands(Commands& commands, Document& document, Selection& se
     addHiding(commands);
     addOpacities(commands);
     addThemes(commands);
-    connect(&surface.navigation(), &CoverNavigation::perspectiveChanged, commands["view.perspective"],
+    connect(&coverView.navigation(), &CoverNavigation::perspectiveChanged, commands["view.perspective"],
             &QAction::setChecked);
-    connect(&surface, &CoverView::sectionClosed, this,
+    connect(&coverView, &CoverView::sectionClosed, this,
             [&commands] { commands["view.section"]->setChecked(false); });
-    connect(&surface.visibility(), &SceneVisibility::hiddenChanged, this, [this, &commands] {
-        m_elements.setHidden(m_surface.visibility().hidden());
-        m_pattern.shown().setHidden(m_surface.visibility().hidden());
+    connect(&coverView.visibility(), &SceneVisibility::hiddenChanged, this, [this, &commands] {
+        m_elements.setHidden(m_coverView.visibility().hidden());
+        m_pattern.shown().setHidden(m_coverView.visibility().hidden());
         commands.update({"view.show-hidden"});
     });
 }
@@ -59,7 +59,7 @@ void ViewCommands::addFitting(Commands& commands)
                    .does =
                        [this] {
                            m_pattern.navigation().fitAll();
-                           m_surface.navigation().fitAll();
+                           m_coverView.navigation().fitAll();
                        }},
                   {.id = "view.fit-selection",
                    .formerly = "show-selection",
@@ -96,7 +96,7 @@ void ViewCommands::addStandardViews(Commands& commands)
                       .text = row.text,
                       .keys = {row.key},
                       .places = {"view.from/1"},
-                      .does = [this, view = row.view] { m_surface.navigation().setStandardView(view); }});
+                      .does = [this, view = row.view] { m_coverView.navigation().setStandardView(view); }});
     commands.add(MenuPlace{"view.saved", tr("Sa&ved views"), "view/1"}); // filled by SavedViewCommands
 }
 
@@ -110,7 +110,7 @@ void ViewCommands::addCamera(Commands& commands)
                    .places = {"view/1"},
                    .bar = 404,
                    .on = true,
-                   .toggled = [this](bool on) { m_surface.navigation().setPerspective(on); }},
+                   .toggled = [this](bool on) { m_coverView.navigation().setPerspective(on); }},
                   {.id = "view.section",
                    .formerly = "section",
                    .text = tr("Sec&tion"),
@@ -118,7 +118,7 @@ void ViewCommands::addCamera(Commands& commands)
                    .keys = {Qt::SHIFT | Qt::Key_X},
                    .places = {"view/1"},
                    .on = false,
-                   .toggled = [this](bool on) { m_surface.setSectionShown(on); }},
+                   .toggled = [this](bool on) { m_coverView.setSectionShown(on); }},
                   {.id = "view.link",
                    .formerly = "link-the-views",
                    .text = tr("Lin&k the views"),
@@ -129,7 +129,7 @@ void ViewCommands::addCamera(Commands& commands)
                    .on = true,
                    .toggled = [this](bool) { // ViewLink looks whether it is on
                        m_pattern.showPlace({});
-                       m_surface.showPlace({});
+                       m_coverView.showPlace({});
                    }}});
 }
 
@@ -152,15 +152,15 @@ void ViewCommands::addHiding(Commands& commands)
           .places = {"view/3"},
           .enabled = [this] { return !m_selection.elements().empty(); },
           .does =
-              [this] { m_surface.visibility().setHidden(allBut(m_document.design(), m_selection.elements())); }},
+              [this] { m_coverView.visibility().setHidden(allBut(m_document.design(), m_selection.elements())); }},
          {.id = "view.show-hidden",
           .formerly = "show-hidden-again",
           .text = tr("Sho&w hidden again"),
           .icon = "show-hidden",
           .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_H},
           .places = {"view/3"},
-          .enabled = [this] { return !m_surface.visibility().hidden().empty(); },
-          .does = [this] { m_surface.visibility().setHidden({}); }}});
+          .enabled = [this] { return !m_coverView.visibility().hidden().empty(); },
+          .does = [this] { m_coverView.visibility().setHidden({}); }}});
 }
 
 void ViewCommands::addThemes(Commands& commands)
@@ -220,9 +220,9 @@ void ViewCommands::addOpacities(Commands& commands)
         grid->addWidget(figure, row, 2);
     };
     add(0, tr("Frames and foam"), QStringLiteral("frame-opacity"),
-        [this](double opacity) { m_surface.shown().setFrameOpacity(opacity); });
+        [this](double opacity) { m_coverView.shown().setFrameOpacity(opacity); });
     add(1, tr("Scans"), QStringLiteral("scan-opacity"),
-        [this](double opacity) { m_surface.shown().setScanOpacity(opacity); });
+        [this](double opacity) { m_coverView.shown().setScanOpacity(opacity); });
     auto* action = new QWidgetAction(menu);
     action->setDefaultWidget(panel);
     action->setText(tr("Opacity of frames and scans"));
@@ -237,15 +237,15 @@ void ViewCommands::hideSelected()
         m_status.flash(tr("Select patches, curves, frames, foam or scans to hide them."));
         return;
     }
-    hidden.insert(m_surface.visibility().hidden().begin(), m_surface.visibility().hidden().end());
+    hidden.insert(m_coverView.visibility().hidden().begin(), m_coverView.visibility().hidden().end());
     m_selection.clear();
-    m_surface.visibility().setHidden(std::move(hidden));
+    m_coverView.visibility().setHidden(std::move(hidden));
 }
 
 void ViewCommands::fitSelection()
 {
     m_pattern.navigation().fitSelection();
-    m_surface.navigation().fitSelection();
+    m_coverView.navigation().fitSelection();
 }
 
 } // namespace bolster

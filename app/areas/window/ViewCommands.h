@@ -20,7 +20,7 @@ class ViewCommands : public QObject {
 
 public:
     ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
-                 CoverView& surface, ElementsView& elements, StatusLine& status, PreferenceStore& preferences);
+                 CoverView& coverView, ElementsView& elements, StatusLine& status, PreferenceStore& preferences);
 
     /// What is selected fills both views.
     void fitSelection();
@@ -37,7 +37,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     PatternView& m_pattern;
-    CoverView& m_surface;
+    CoverView& m_coverView;
     ElementsView& m_elements;
     StatusLine& m_status;
     PreferenceStore& m_preferences;

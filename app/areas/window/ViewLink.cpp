@@ -8,25 +8,25 @@
 
 namespace bolster {
 
-ViewLink::ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, CoverView& surface,
+ViewLink::ViewLink(Selection& selection, Selection& coverSelection, PatternView& pattern, CoverView& coverView,
                    const QAction& linked)
     : m_linked(linked)
 {
-    follow(selection, surfaceSelection);
-    follow(surfaceSelection, selection);
-    connect(&surface, &CoverView::coverPointed, this, [this, &pattern](const std::optional<CoverPoint>& point) {
+    follow(selection, coverSelection);
+    follow(coverSelection, selection);
+    connect(&coverView, &CoverView::coverPointed, this, [this, &pattern](const std::optional<CoverPoint>& point) {
         pattern.showPlace(m_linked.isChecked() ? point : std::nullopt);
     });
-    connect(&pattern, &PatternView::patchPointed, this, [this, &surface](const std::optional<CoverPoint>& point) {
-        surface.showPlace(m_linked.isChecked() ? point : std::nullopt);
+    connect(&pattern, &PatternView::patchPointed, this, [this, &coverView](const std::optional<CoverPoint>& point) {
+        coverView.showPlace(m_linked.isChecked() ? point : std::nullopt);
     });
-    connect(&surface, &CoverView::coverClicked, this, [this, &pattern](const CoverPoint& point) {
+    connect(&coverView, &CoverView::coverClicked, this, [this, &pattern](const CoverPoint& point) {
         if (m_linked.isChecked())
             pattern.reveal(point);
     });
-    connect(&pattern, &PatternView::patchClicked, this, [this, &surface](const CoverPoint& point) {
+    connect(&pattern, &PatternView::patchClicked, this, [this, &coverView](const CoverPoint& point) {
         if (m_linked.isChecked())
-            surface.reveal(point);
+            coverView.reveal(point);
     });
 }
 

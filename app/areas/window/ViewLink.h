@@ -14,7 +14,7 @@ class CoverView;
 /// `linked` says whether; what is selected is the same in both views in any case.
 class ViewLink : public QObject {
 public:
-    ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, CoverView& surface,
+    ViewLink(Selection& selection, Selection& coverSelection, PatternView& pattern, CoverView& coverView,
              const QAction& linked);
 
 private:

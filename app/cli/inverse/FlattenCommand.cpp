@@ -149,6 +149,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& argument
         printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
         return {{}, imported.problem.empty() ? otherFailure : badInput};
     }
+    if (!imported.warning.empty())
+        printWarnings({imported.warning});
     const Placement placement = placementOf(arguments, surface, imported.said);
     const auto place = [&](std::vector<Vec3>& points) {
         for (Vec3& point : points)
@@ -266,6 +268,7 @@ int flattenForm(std::span<const std::string> words)
     }
     const FormPattern made = formPattern(form, flat, order);
     printWarnings(made.notes);
+    printWarnings(made.advice);
     if (std::ranges::count(made.patches, noElement) == std::ssize(made.patches)) {
         printError("error: none of it can be laid flat, so there is no pattern");
         return badInput;

@@ -1,5 +1,5 @@
-// The light of the studio and how surfaces answer to it, for C++: studio.glsl
-// and materials.glsl, which OpenGL's shaders read, too.
+// The light of the studio and how surfaces answer to it, for C++: studio.glsl,
+// materials.glsl and seams.glsl, which OpenGL's shaders read, too.
 #pragma once
 
 #include <Eigen/Core>
@@ -55,6 +55,7 @@ inline float smoothstep(float from, float to, float x)
 #include "studio.glsl"
 
 #include "materials.glsl"
+#include "seams.glsl"
 #undef SHARED
 
 } // namespace bolster::shading

@@ -1,6 +1,7 @@
 #include "SeamRelief.h"
 
 #include "Design.h"
+#include "Shading.h"
 
 #include <algorithm>
 #include <array>
@@ -194,8 +195,7 @@ SeamReliefPtr measured(const Cloth& cloth)
         for (const Run& run : runs.back())
             widest = std::max(widest, run.shape.x());
     }
-    const float reach =
-        std::max(SeamProfile::valleyReach, SeamProfile::bulgeReach * widest) + 1.5F * cloth.longestEdge;
+    const float reach = std::max(shading::valleyReach, shading::bulgeWidth(widest, 0)) + 1.5F * cloth.longestEdge;
     relief->distances.assign(cloth.pattern.size(), Eigen::Vector3f::Constant(reach));
     relief->shapes.assign(cloth.pattern.size(), Vec2f::Zero());
     std::vector<std::vector<Part>> parts;
@@ -275,20 +275,20 @@ SeamProfile SeamProfile::at(const Eigen::Vector3f& distances, const Eigen::Vecto
     SeamProfile profile;
     Eigen::Index nearest = 0;
     const float distance = distances.minCoeff(&nearest);
-    const float reach = std::hypot(valleyReach, pixel[nearest]);
-    const float inside = std::max(0.F, 1 - distance / reach), amount = shape.y() * valleyReach / reach;
-    profile.dark = amount * inside * inside;
-    profile.height = -valleyDepth * profile.dark;
-    profile.slope[nearest] = 2 * valleyDepth * amount * inside / reach;
+    const shading::Valley valley = shading::valleyAt(distance, shape.y(), pixel[nearest]);
+    profile.dark = valley.dark;
+    profile.height = -shading::valleyDepth * valley.dark;
+    profile.slope[nearest] = valley.rise;
     if (!(shape.x() > 0))
         return profile;
-    const float width = std::hypot(bulgeReach * shape.x(), pixel[nearest]);
-    const float high = bulgeHeight * std::min(1.F, shape.x()) * bulgeReach * shape.x() / width;
-    const Eigen::Array3f at = (distances.array() / width).min(1.F), left = 1 - at.square();
-    const Eigen::Array3f without = 1 - left.cube(), fall = -6 * at * left.square() / width;
-    profile.height += high * (1 - without.prod());
-    for (int i = 0; i < tracks; ++i)
-        profile.slope[i] += high * fall[i] * without[(i + 1) % tracks] * without[(i + 2) % tracks];
+    const float width = shading::bulgeWidth(shape.x(), pixel[nearest]);
+    const float top = shading::bulgeTop(shape.x(), width);
+    std::array<shading::Flat, tracks> flat{};
+    std::ranges::transform(distances, flat.begin(), [&](float d) { return shading::flatAt(d, width); });
+    profile.height += top * (1 - flat[0].share * flat[1].share * flat[2].share);
+    for (std::size_t i = 0; i < tracks; ++i)
+        profile.slope[static_cast<Eigen::Index>(i)] -=
+            top * flat[i].rise * flat[(i + 1) % tracks].share * flat[(i + 2) % tracks].share;
     return profile;
 }
 

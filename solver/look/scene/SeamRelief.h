@@ -30,13 +30,8 @@ using SeamReliefPtr = std::shared_ptr<const SeamRelief>;
 SeamReliefPtr seamRelief(const Design& design, const SurfaceTopology& topology);
 SeamReliefPtr seamRelief(const Design& design, const CoverTopology& topology);
 
-/// The cross section of a seam. The 3D view's shader does the same.
+/// The cross section of seams that meet: that of seams.glsl on all tracks.
 struct SeamProfile {
-    static constexpr float valleyDepth = 0.8F; ///< mm
-    static constexpr float valleyReach = 1.5F; ///< to each side, mm
-    static constexpr float bulgeHeight = 0.6F; ///< mm
-    static constexpr float bulgeReach = 1.3F;  ///< over the allowance's width, to end softly
-
     float height = 0;                                ///< over the cover without seams, mm
     Eigen::Vector3f slope = Eigen::Vector3f::Zero(); ///< of the height over each distance
     float dark = 0;                                  ///< 1 at the bottom of a valley, 0 outside

@@ -1,16 +1,18 @@
-#include "FileFlow.h"
+#include "OpenFlow.h"
 
-#include "Ask.h"
 #include "Banner.h"
 #include "FileFormats.h"
+#include "LeftWork.h"
 #include "RecentFiles.h"
+#include "Rescue.h"
 #include "Samples.h"
-#include "Translated.h"
+#include "SaveFlow.h"
 
 #include <QDir>
-#include <QLocale>
+#include <QFileInfo>
 #include <QMenu>
-#include <QPushButton>
+
+#include <set>
 
 namespace bolster {
 
@@ -18,79 +20,66 @@ namespace {
 
 QString openFilter()
 {
-    return FileFlow::tr("Projects and designs (%1)").arg(patternsOf(FileUse::Design));
+    return OpenFlow::tr("Projects and designs (%1)").arg(patternsOf(FileUse::Design));
 }
 
 } // namespace
 
-FileFlow::FileFlow(DesignSession& session, QWidget* window, Banner* banner)
-    : QObject(window)
-    , m_session(session)
-    , m_window(window)
-    , m_banner(banner)
+OpenFlow::OpenFlow(DesignSession& session, const Parts& parts)
+    : m_session(session)
+    , m_talk(parts.talk)
+    , m_saving(parts.saving)
+    , m_left(parts.left)
+    , m_rescue(parts.rescue)
+    , m_banner(parts.banner)
 {
-    connect(&session, &DesignSession::saveEnded, this, [this] {
-        if (m_session.document().hasUnsavedWork())
-            return;
-        m_banner->withdraw(m_restored);
-        if (!m_unprotected.empty())
-            warnOfCrashes(m_unprotected); // counts from now on
-    });
-    connect(&session, &DesignSession::recoveryFailed, this, &FileFlow::warnOfCrashes);
-    connect(&session, &DesignSession::recoveryWorksAgain, this, [this] {
-        m_unprotected = {};
-        m_banner->endWarning();
-    });
     connect(&session, &DesignSession::wentToLastPlace, this, [this] {
-        emit done(
+        m_talk.say(
             tr("This is the version where you were last; the one in the file is under File > Revert to saved"));
     });
+    connect(&m_left, &LeftWork::openWanted, this, [this](const QString& path) { openNow(path); });
+    connect(&m_rescue, &Rescue::openWanted, this, [this](const QString& path) { openNow(path); });
 }
 
-QString FileFlow::startFolder() const
+void OpenFlow::startNew(const Then& begun)
 {
-    return usualFolder(m_session.path());
-}
-
-void FileFlow::startNew(const Then& begun)
-{
-    keepWork([this, begun] {
+    m_saving.keepWork([this, begun] {
         m_session.startNew();
         if (begun)
             begun();
     });
 }
 
-void FileFlow::openTemplate(const QString& path)
+void OpenFlow::openTemplate(const QString& path)
 {
-    keepWork([this, path] { openAs(path, DesignSession::Opening::AsNew, {}); });
+    m_saving.keepWork([this, path] { openAs(path, DesignSession::Opening::AsNew, {}); });
 }
 
-void FileFlow::open(const QString& path, const Then& opened)
+void OpenFlow::open(const QString& path, const Then& opened)
 {
     const auto take = [this, opened](const QString& file) {
-        keepWork([this, file, opened] { openNow(file, opened); });
+        m_saving.keepWork([this, file, opened] { openNow(file, opened); });
     };
     if (path.isEmpty())
-        askForFile(m_window, tr("Open project or design"), startFolder(), openFilter(), take);
+        askForFile(m_talk.window(), tr("Open project or design"), m_talk.startFolder(), openFilter(), take);
     else
         take(path);
 }
 
-void FileFlow::openNow(const QString& path, const Then& opened)
+void OpenFlow::openNow(const QString& path, const Then& opened)
 {
     const QString original = QFileInfo(path).absoluteFilePath();
     if (const auto left = WorkJournal::leftOf(original)) { // what was not saved to it is newer
-        restore(*left);
+        m_left.restore(*left);
         return;
     }
     if (original == m_session.path() || !WorkJournal::isWorkedOn(original)) {
         openAs(path, DesignSession::Opening::ToWork, opened);
         return;
     }
-    QMessageBox* box =
-        newBox(QMessageBox::Question, tr("\"%1\" is open in another window.").arg(QFileInfo(original).fileName()),
-               QMessageBox::Open | QMessageBox::Cancel);
+    QMessageBox* box = m_talk.newBox(QMessageBox::Question,
+                                     tr("\"%1\" is open in another window.").arg(QFileInfo(original).fileName()),
+                                     QMessageBox::Open | QMessageBox::Cancel);
     box->setInformativeText(tr("It can be opened here to look at; what is changed is saved under another name."));
     box->setDefaultButton(QMessageBox::Open);
     box->setObjectName(QStringLiteral("question.open-elsewhere"));
@@ -100,43 +89,22 @@ void FileFlow::openNow(const QString& path, const Then& opened)
     });
 }
 
-/// Who cancels it stops what it is about.
-QPointer<QProgressDialog> FileFlow::showProgress(const QString& text, std::stop_source stop)
-{
-    QPointer<QProgressDialog> dialog = openProgress(m_window, text).dialog;
-    connect(dialog, &QProgressDialog::canceled, this, [dialog, stop]() mutable {
-        stop.request_stop();
-        closeProgress(dialog);
-    });
-    return dialog;
-}
-
-/// Until the design is there, whoever opens it.
-QPointer<QProgressDialog> FileFlow::showReading(const QString& text, const std::stop_source& stop)
-{
-    closeProgress(m_reading);
-    m_reading = showProgress(text, stop);
-    connect(&m_session, &DesignSession::opened, m_reading,
-            [reading = m_reading.data()] { closeProgress(reading); });
-    return m_reading;
-}
-
-void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const Then& opened)
+void OpenFlow::openAs(const QString& path, DesignSession::Opening opening, const Then& opened)
 {
     const std::stop_source stop;
-    const auto reading = showReading(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), stop);
+    const auto reading = m_talk.showReading(m_talk.readingText(path), stop);
     const auto replace = [this, reading](const Then& then) {
         closeProgress(reading);
-        keepWork(then);
+        m_saving.keepWork(then);
     };
     const auto done = [this, path, opening, opened, reading](const Message& problem) {
         closeProgress(reading);
         if (!problem.empty()) {
-            failToOpen(path, problem);
+            m_rescue.failToOpen(path, problem);
             return;
         }
         if (!isSample(path) && opening != DesignSession::Opening::AsNew)
-            remember(path);
+            m_talk.remember(path);
         announceProblems();
         if (opened)
             opened();
@@ -144,7 +112,7 @@ void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const
     m_session.open(path, opening, replace, done, stop.get_token());
 }
 
-void FileFlow::announceProblems()
+void OpenFlow::announceProblems()
 {
     std::set<ElementId> bad;
     for (const Problem& problem : m_session.problemsOnOpening())
@@ -152,30 +120,14 @@ void FileFlow::announceProblems()
             bad.insert(problem.element);
     if (bad.empty())
         return;
-    m_banner->announce(
+    m_banner.announce(
         Banner::Kind::Problem,
         tr("%n elements cannot be used as they are; everything else works.", nullptr, static_cast<int>(bad.size())),
         {{tr("Sh&ow"), [this] { emit problemsWanted(); }}});
 }
 
-void FileFlow::revert()
-{
-    m_session.document().jumpTo(m_session.document().saved());
-}
-
-bool FileFlow::hasSaved() const
-{
-    return !m_session.path().isEmpty() || m_session.readOnly();
-}
-
-void FileFlow::remember(const QString& path)
-{
-    recentFiles::add(path);
-    rememberFolder(path);
-}
-
 /// Names that are the same are told apart by their folders.
-void FileFlow::fillRecent(QMenu& menu)
+void OpenFlow::fillRecent(QMenu& menu)
 {
     constexpr int folderWidth = 320; // pixels
     menu.clear();
@@ -196,7 +148,7 @@ void FileFlow::fillRecent(QMenu& menu)
     menu.addAction(tr("&Clear this list"), this, [] { recentFiles::clear(); });
 }
 
-void FileFlow::fillSamples(QMenu& menu)
+void OpenFlow::fillSamples(QMenu& menu)
 {
     menu.clear();
     menu.setToolTipsVisible(true);
@@ -206,24 +158,6 @@ void FileFlow::fillSamples(QMenu& menu)
     }
     if (menu.isEmpty())
         menu.addAction(tr("The samples are not installed"))->setEnabled(false);
-}
-
-bool FileFlow::takes(const QString& file)
-{
-    return DesignSession::isDesign(file) || isFileOf(FileUse::Frame, file) || isFileOf(FileUse::Scan, file) ||
-           isFileOf(FileUse::Pattern, file);
-}
-
-void FileFlow::drop(const QString& file)
-{
-    if (isFileOf(FileUse::Frame, file))
-        importFrame(file); // a PLY too: a mesh is dropped more often than a scan
-    else if (isFileOf(FileUse::Scan, file))
-        importScan(file);
-    else if (isFileOf(FileUse::Pattern, file))
-        importPattern(file);
-    else
-        open(file);
 }
 
 } // namespace bolster
