@@ -12064,6 +12064,14 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <source>Computing the cover …</source>
         <translation>Der Bezug wird berechnet …</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>Schnitt von %1</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Bezug von %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

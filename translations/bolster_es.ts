@@ -12064,6 +12064,14 @@ Lo que ve es donde estaba la tela al final.</translation>
         <source>Computing the cover …</source>
         <translation>Calculando la funda…</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>Patrón de %1</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Funda de %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

@@ -12064,6 +12064,14 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <source>Computing the cover …</source>
         <translation>Calcul de la housse…</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>Patron de %1</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Housse de %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

@@ -12064,6 +12064,14 @@ Si vede il tessuto com’era alla fine.</translation>
         <source>Computing the cover …</source>
         <translation>Calcolo del rivestimento…</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>Cartamodello di %1</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Rivestimento di %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

@@ -12029,6 +12029,14 @@ What you see is where the cloth was at the end.</source>
         <source>Computing the cover …</source>
         <translation>カバーを計算しています…</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>%1 の型紙</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>%1 のカバー</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

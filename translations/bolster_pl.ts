@@ -12099,6 +12099,14 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         <source>Computing the cover …</source>
         <translation>Obliczanie pokrowca…</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>Wykrój: %1</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Pokrowiec: %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

@@ -12029,6 +12029,14 @@ What you see is where the cloth was at the end.</source>
         <source>Computing the cover …</source>
         <translation>正在计算面套…</translation>
     </message>
+    <message>
+        <source>Pattern of %1</source>
+        <translation>%1 的样板</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>%1 的面套</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ViewCube</name>

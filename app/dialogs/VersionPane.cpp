@@ -58,6 +58,8 @@ VersionPane::~VersionPane() = default;
 void VersionPane::setVersion(const QString& title, const Design& design, const DesignFiles& files)
 {
     m_title->setText(title);
+    m_pattern->setAccessibleName(tr("Pattern of %1").arg(title));
+    m_coverView->setAccessibleName(tr("Cover of %1").arg(title));
     m_selection.clear();
     m_document.reset(design);
     m_covers->setDesign(design);

@@ -14,6 +14,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+// Emulated lanes become thousands of instructions, over which a sanitizer's build broods for half a minute. Only a
+// test runs them there.
+#if defined(__clang__)
+#if HWY_TARGET == HWY_EMU128 && (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
+#pragma clang optimize off
+#endif
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace bolster::HWY_NAMESPACE {
 namespace {
@@ -549,6 +557,10 @@ Moved MovePositions(const PositionSlots& unknowns, const float* moves, double st
 } // namespace
 } // namespace bolster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#if defined(__clang__)
+#pragma clang optimize on
+#endif
 
 #if HWY_ONCE
 namespace bolster {

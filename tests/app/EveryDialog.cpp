@@ -31,25 +31,30 @@ namespace bolster::test {
 
 namespace {
 
-/// Commands with three dots that ask in another way than by a dialog.
-const QStringList opensNothing = {};
+/// Commands with three dots that ask within the window.
+const QStringList opensNothing = {QStringLiteral("help.find-command"), QStringLiteral("twin.symmetry")};
 
-QDialog* openDialogOf(const QWidget& window)
+QWidget* openedBeside(const QWidget& window)
 {
     const QList<QWidget*> all = QApplication::topLevelWidgets();
-    const auto found = std::ranges::find_if(
-        all, [&](QWidget* one) { return one != &window && one->isVisible() && qobject_cast<QDialog*>(one); });
-    return found == all.end() ? nullptr : static_cast<QDialog*>(*found);
+    const auto found = std::ranges::find_if(all, [&](const QWidget* one) {
+        return one != &window && one->isVisible() &&
+               (one->windowType() == Qt::Dialog || one->windowType() == Qt::Window);
+    });
+    return found == all.end() ? nullptr : *found;
 }
 
 void closeAll(const QWidget& window)
 {
     for (int tries = 0; tries < 10; ++tries) {
-        QDialog* dialog = openDialogOf(window);
-        if (!dialog)
+        QWidget* opened = openedBeside(window);
+        if (!opened)
             return;
-        dialog->reject();
-        (void)QTest::qWaitFor([&] { return openDialogOf(window) != dialog; }, 1000);
+        if (auto* dialog = qobject_cast<QDialog*>(opened))
+            dialog->reject();
+        else
+            opened->close();
+        (void)QTest::qWaitFor([&] { return openedBeside(window) != opened; }, 1000);
     }
 }
 
@@ -157,12 +162,12 @@ void lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const 
             opensNothing.contains(action->objectName()))
             continue;
         action->trigger();
-        QDialog* dialog = nullptr;
-        EXPECT_TRUE(QTest::qWaitFor([&] { return (dialog = openDialogOf(window)) != nullptr; }, 20000))
+        QWidget* opened = nullptr;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return (opened = openedBeside(window)) != nullptr; }, 20000))
             << action->objectName().toStdString() << " opens nothing";
-        if (dialog && !qobject_cast<QFileDialog*>(dialog)) {
+        if (opened && !qobject_cast<QFileDialog*>(opened)) {
             waitUntilLaidOut();
-            look(*dialog, action->objectName());
+            look(*opened, action->objectName());
         }
         closeAll(window);
     }

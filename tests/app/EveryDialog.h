@@ -1,4 +1,4 @@
-// Every dialog that a command opens, one after the other, to be looked at.
+// Every window that a command opens, one after the other, to be looked at.
 #pragma once
 
 #include "MainWindow.h"
@@ -9,8 +9,8 @@
 
 namespace bolster::test {
 
-/// `look` gets each dialog when it is laid out, and the id of its command; afterwards it is closed. Those that
-/// choose files are the system's and left out. A command whose dialog does not come is a failure.
+/// `look` gets each window when it is laid out, and the id of its command; afterwards it is closed. Those that
+/// choose files are the system's and left out. A command whose window does not come is a failure.
 void lookAtDialogs(MainWindow& window, const std::function<void(QWidget&, const QString& id)>& look);
 
 /// What is shown in less room than its text needs: "Find … (QPushButton, 80 of 96 pixels)".

