@@ -5972,6 +5972,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>Teile, die für die Dreiecke des Bezugs mit %1 mm langen Kanten klein sind: %2. Machen Sie die Netzkanten für sie kürzer, sonst wird ihre Form grob</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>es ist das Projekt, das hier offen ist; wählen Sie einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

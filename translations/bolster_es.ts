@@ -5972,6 +5972,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>Piezas pequeñas para los triángulos de la funda, cuyas aristas miden %1 mm: %2. Acorte las aristas de malla para ellas, o su forma será tosca</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>es el proyecto que está abierto aquí; elija otro nombre</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5972,6 +5972,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>Pièces petites pour les triangles de la housse, dont les arêtes mesurent %1 mm&#x202f;: %2. Raccourcissez les arêtes du maillage pour elles, sinon leur forme sera grossière</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>c’est le projet qui est ouvert ici&#x202f;; choisissez un autre nom</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5972,6 +5972,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>Pezzi piccoli per i triangoli del rivestimento, i cui lati misurano %1 mm: %2. Accorciate i lati della mesh per loro, altrimenti la loro forma sarà grossolana</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>è il progetto aperto qui; scegliere un altro nome</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

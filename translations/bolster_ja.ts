@@ -5968,6 +5968,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>カバーの三角形（エッジ長 %1 mm）に対して小さいパーツ：%2。形が粗くなるため、メッシュのエッジを短くしてください</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>ここで開いているプロジェクトです。別の名前を選んでください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5976,6 +5976,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>Elementy małe w stosunku do trójkątów pokrowca o krawędziach %1 mm: %2. Skróć dla nich krawędzie siatki, inaczej ich kształt będzie zgrubny</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>to projekt, który jest tu otwarty; wybierz inną nazwę</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5968,6 +5968,10 @@
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
         <translation>相对于面套三角形（边长 %1 mm）偏小的样片：%2。请为它们缩短网格边长，否则形状会很粗糙</translation>
     </message>
+    <message>
+        <source>it is the project that is open here; choose another name</source>
+        <translation>这是此处打开的项目；请另选名称</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -200,8 +200,14 @@ void DesignSession::takeTheirs(const QString& name,
     });
 }
 
+/// A copy may have less in it, so it never takes the place of the original.
 void DesignSession::saveCopy(const QString& path, const SaveOptions& options, const Done& done)
 {
+    const QString target = QFileInfo(path).canonicalFilePath();
+    if (!target.isEmpty() && !m_path.isEmpty() && target == QFileInfo(m_path).canonicalFilePath()) {
+        done({QT_TRANSLATE_NOOP("Message", "it is the project that is open here; choose another name"), {}});
+        return;
+    }
     const Writing writing{[path, options](Journal& journal) { return journal.saveCopy(path, options); },
                           [] { return false; }};
     writeProject(path, writing, done);

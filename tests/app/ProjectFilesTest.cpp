@@ -955,6 +955,26 @@ TEST_F(ProjectFilesTest, ACopyWithoutHistoryHasTheDesignAlone)
     EXPECT_EQ(copy.assets.size(), 1U);
 }
 
+TEST_F(ProjectFilesTest, ACopyDoesNotTakeThePlaceOfItsOriginal)
+{
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
+    change(3);
+    ASSERT_EQ(save(path).english(), "");
+    const int held = openProject(path, ProjectCheck::Everything).history.count();
+    ASSERT_EQ(held, 4);
+    const QString link = folder.filePath("link.bolster");
+    ASSERT_TRUE(QFile::link(path, link));
+    for (const QString& target : {path, link}) {
+        std::string why;
+        window.session().saveCopy(target, {.withHistory = false},
+                                  [&](const Message& problem) { why = problem.english(); });
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !why.empty(); }, 30000)) << target.toStdString();
+        EXPECT_NE(why.find("choose another name"), why.npos) << why;
+    }
+    EXPECT_EQ(openProject(path, ProjectCheck::Everything).history.count(), held);
+}
+
 TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
 {
     const QString path = savedBox();
