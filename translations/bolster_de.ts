@@ -1641,7 +1641,7 @@
     </message>
     <message>
         <source> mm per unit</source>
-        <translation>mm je Einheit</translation>
+        <translation> mm je Einheit</translation>
     </message>
     <message>
         <source>none</source>
@@ -5976,6 +5976,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>es ist das Projekt, das hier offen ist; wählen Sie einen anderen Namen</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>die Datei ist leer; es wurde nichts hineingeschrieben, oder es ging verloren</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8565,6 +8569,10 @@
         <source>The picture could not be exported.</source>
         <translation>Das Bild ließ sich nicht exportieren.</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-Fläche</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -8943,7 +8951,7 @@
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
-        <translation>mm je Einheit</translation>
+        <translation> mm je Einheit</translation>
     </message>
     <message>
         <source>Import scan</source>
@@ -9094,6 +9102,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>%1 wird gelesen …</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>Der Bezug &amp;liegt auf</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>Die Form, auf der der Bezug liegen soll</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>Die &amp;Dehnung ist höchstens</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>Längs und quer zum Fadenlauf und als Scherung; der Bezug bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Dehnungsgrenze</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>&amp;Keine Falten in ausgewählten Schnittteilen</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Ihr Stoff ist nirgends gestaucht; keine ausgewählt: alle</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>Die ausgewählte Naht läuft &amp;entlang</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Eine Kurve auf dem Gestell oder der Form; sie muss nichts halten</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Anteil der Fläche</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>Ausgewählte Schnittteile &amp;behalten von ihrer Fläche</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Weniger als 100 %: Sie werden kleiner</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>Was sich ändern darf</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>&amp;Umrisse</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>Kontrollpunkte der Schnittteile</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Nahtenden</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Wo Nähte und Befestigungen auf glatten Kanten enden</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Mehrweite</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Die Seiten von Nähten dürfen verschieden lang werden; das ist dann die gewünschte Mehrweite</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>Sch&amp;aum</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>Wie dick Polster und Schaum sind, in ganzen Voxeln</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>F&amp;ixierungen</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Wo Fixierkurven liegen: auf ihren Gestellen, oder im Raum, wo keines ist</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Druck</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>Der Druck unter jedem Schnittteil</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnbarkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Steifigkeit der Stoffe, und wie sehr sie sich quer zum Zug zusammenziehen</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>Nur der ausgewä&amp;hlten Schnittteile</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Was bleibt</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>L&amp;ängen der Nähte</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>Die Seiten einer Naht behalten ihren Unterschied; ist er weit von der Mehrweite der Naht entfernt, so nähert er sich ihr</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>&amp;Gerade Kanten</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>&amp;Winkel der Ecken</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>Kein Punkt wandert &amp;weiter als</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>Wählen Sie den Scan oder die Datei, auf denen der Bezug liegen soll.</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Wählen Sie die Naht aus, die entlang der Kurve laufen soll.</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Malen Sie den Bereich in der 3D-Ansicht, oder nehmen Sie das Häkchen weg.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Wählen Sie die Schnittteile aus, die größer oder kleiner werden sollen.</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>Wählen Sie ein Ziel.</translation>
     </message>
 </context>
 <context>
@@ -10176,94 +10359,6 @@
         <translation>Änderungen &amp;übernehmen</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>Der Bezug &amp;liegt auf</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>Die &amp;Dehnung ist höchstens</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>Längs und quer zum Fadenlauf und als Scherung; der Bezug bleibt, wo er ist</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>Dehnungsgrenze</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>Was sich ändern darf</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>&amp;Umrisse</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>Kontrollpunkte der Schnittteile</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>Sch&amp;aum</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>Wie dick Polster und Schaum sind, in ganzen Voxeln</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>F&amp;ixierungen</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Druck</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>Der Druck unter jedem Schnittteil</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>Nur der ausgewä&amp;hlten Schnittteile</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>Was bleibt</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>L&amp;ängen der Nähte</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>Die Seiten einer Naht behalten ihren Unterschied; ist er weit vom Einlauf der Naht entfernt, so nähert er sich ihm</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>&amp;Gerade Kanten</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>&amp;Winkel der Ecken</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>Kein Punkt wandert &amp;weiter als</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>Änderungen von</translation>
     </message>
@@ -10282,18 +10377,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>Wie &amp;viel davon</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>Die Form, auf der der Bezug liegen soll</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>Wählen Sie den Scan oder die Datei, auf denen der Bezug liegen soll.</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>Wählen Sie ein Ziel.</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10363,46 +10446,6 @@
         <translation>Der Schnitt wird angepasst …</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>&amp;Keine Falten in ausgewählten Schnittteilen</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>Ihr Stoff ist nirgends gestaucht; keine ausgewählt: alle</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>Die ausgewählte Naht läuft &amp;entlang</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>Eine Kurve auf dem Gestell oder der Form; sie muss nichts halten</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>Anteil der Fläche</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>Ausgewählte Schnittteile &amp;behalten von ihrer Fläche</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>Weniger als 100 %: Sie werden kleiner</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>Wählen Sie die Naht aus, die entlang der Kurve laufen soll.</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>Wählen Sie die Schnittteile aus, die größer oder kleiner werden sollen.</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>Der Schnitt wird geändert …</translation>
     </message>
@@ -10419,40 +10462,8 @@
         <translation>Neben der gewünschten Fläche: %1 vorher, %2 jetzt</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>Nahtenden</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>Wo Nähte und Befestigungen auf glatten Kanten enden</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Mehrweite</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>Die Seiten von Nähten dürfen verschieden lang werden; das ist dann die gewünschte Mehrweite</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Dehnbarkeit</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>Steifigkeit der Stoffe, und wie sehr sie sich quer zum Zug zusammenziehen</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>Malen Sie den Bereich in der 3D-Ansicht, oder nehmen Sie das Häkchen weg.</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren:</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>Wo Fixierkurven liegen: auf ihren Gestellen, oder im Raum, wo keines ist</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10469,6 +10480,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>%1 des Bezugs liegen über der Grenze (vorher: %2)</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>Mit dem, was von den Änderungen gezeigt wird, kann der Bezug nicht berechnet werden.</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>Mit dem, was von den Änderungen gezeigt wird:</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>Von den Änderungen wird jetzt nichts gezeigt: Bewegen Sie den Schieber, um sie zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -11081,8 +11104,8 @@
     <message numerus="yes">
         <source>%n edits that were undone or are on other branches</source>
         <translation>
-            <numerusform>%n Schritt, der rückgängig gemacht wurde oder auf einem anderen Zweig liegt</numerusform>
-            <numerusform>%n Schritte, die rückgängig gemacht wurden oder auf anderen Zweigen liegen</numerusform>
+            <numerusform>%n rückgängig gemachter oder auf einem anderen Zweig liegender Schritt</numerusform>
+            <numerusform>%n rückgängig gemachte oder auf anderen Zweigen liegende Schritte</numerusform>
         </translation>
     </message>
     <message>

@@ -5976,6 +5976,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>es el proyecto que está abierto aquí; elija otro nombre</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>el archivo está vacío; no se escribió nada en él, o se perdió</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8565,6 +8569,10 @@
         <source>The picture could not be exported.</source>
         <translation>No se pudo exportar la imagen.</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-superficie</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -9094,6 +9102,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>Leyendo %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>La &amp;funda se ajusta a</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>La forma a la que debe ajustarse la funda</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>La &amp;deformación es como máximo</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>Al hilo, a contrahilo y en cizalladura; la funda se queda donde está</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Límite de deformación</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Sin plie&amp;gues en las piezas seleccionadas</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Ninguna parte de su tela queda comprimida; si no hay ninguna seleccionada: todas</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>La &amp;costura seleccionada sigue</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Una curva dibujada en el armazón o la forma; no hace falta que fije nada</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Proporción del área</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>Área que conser&amp;van las piezas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Menos del 100&#xa0;%: se hacen más pequeñas</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>Qué puede cambiar</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>C&amp;ontornos</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>Puntos de control de las piezas</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Extremos</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Dónde terminan costuras y fijaciones en bordes lisos</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Embebido</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Los lados de las costuras pueden llegar a tener longitud distinta; ese es entonces el embebido deseado</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>Esp&amp;uma</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>Grosor del acolchado y la espuma, en vóxeles enteros</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>F&amp;ijaciones</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Dónde están las curvas de fijación: sobre sus armazones o en el espacio donde no hay ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Presión</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>La presión bajo cada pieza</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Elasticidad</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Rigidez de las telas, y cuánto se contraen de través a la tracción</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>&amp;Solo de las piezas seleccionadas</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Qué se mantiene</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>&amp;Longitudes de costuras</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>Los lados de una costura conservan su diferencia; si está lejos del embebido de la costura, se le acerca</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>Bordes &amp;rectos</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>Á&amp;ngulos de las esquinas</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>Ningún punto se &amp;mueve más de</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>Elija el escaneo o el archivo al que debe ajustarse la funda.</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Seleccione la costura que debe seguir la curva.</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Pinte la zona en la vista 3D o quite la marca.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Seleccione las piezas que deben hacerse más grandes o más pequeñas.</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>Elija un objetivo.</translation>
     </message>
 </context>
 <context>
@@ -10176,94 +10359,6 @@
         <translation>&amp;Aplicar los cambios</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>Objetivo</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>La &amp;funda se ajusta a</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>La &amp;deformación es como máximo</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>Al hilo, a contrahilo y en cizalladura; la funda se queda donde está</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>Límite de deformación</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>Qué puede cambiar</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>C&amp;ontornos</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>Puntos de control de las piezas</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>Esp&amp;uma</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>Grosor del acolchado y la espuma, en vóxeles enteros</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>F&amp;ijaciones</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Presión</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>La presión bajo cada pieza</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>&amp;Solo de las piezas seleccionadas</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>Qué se mantiene</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>&amp;Longitudes de costuras</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>Los lados de una costura conservan su diferencia; si está lejos del embebido de la costura, se le acerca</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>Bordes &amp;rectos</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>Á&amp;ngulos de las esquinas</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>Ningún punto se &amp;mueve más de</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>Cambios en</translation>
     </message>
@@ -10282,18 +10377,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>&amp;Qué proporción</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>La forma a la que debe ajustarse la funda</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>Elija el escaneo o el archivo al que debe ajustarse la funda.</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>Elija un objetivo.</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10363,46 +10446,6 @@
         <translation>Adaptando el patrón…</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>Sin plie&amp;gues en las piezas seleccionadas</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>Ninguna parte de su tela queda comprimida; si no hay ninguna seleccionada: todas</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Curva</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>La &amp;costura seleccionada sigue</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>Una curva dibujada en el armazón o la forma; no hace falta que fije nada</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>Proporción del área</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>Área que conser&amp;van las piezas seleccionadas</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>Menos del 100&#xa0;%: se hacen más pequeñas</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>Seleccione la costura que debe seguir la curva.</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>Seleccione las piezas que deben hacerse más grandes o más pequeñas.</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>Cambiando el patrón…</translation>
     </message>
@@ -10419,40 +10462,8 @@
         <translation>Respecto al área deseada: antes %1, ahora %2</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>Extremos</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>Dónde terminan costuras y fijaciones en bordes lisos</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Embebido</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>Los lados de las costuras pueden llegar a tener longitud distinta; ese es entonces el embebido deseado</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Elasticidad</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>Rigidez de las telas, y cuánto se contraen de través a la tracción</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>Pinte la zona en la vista 3D o quite la marca.</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Detenido. Con todos los cambios encontrados hasta entonces:</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>Dónde están las curvas de fijación: sobre sus armazones o en el espacio donde no hay ninguno</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10469,6 +10480,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>El %1 de la funda supera el límite (antes: %2)</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>Con la parte de los cambios que se muestra no se puede calcular la funda.</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>Con la parte de los cambios que se muestra:</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>Ahora no se muestra ninguno de los cambios: mueva el control deslizante para verlos.</translation>
     </message>
 </context>
 <context>

@@ -5976,6 +5976,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>c’est le projet qui est ouvert ici&#x202f;; choisissez un autre nom</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>le fichier est vide&#x202f;; rien n’y a été écrit, ou le contenu s’est perdu</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8565,6 +8569,10 @@
         <source>The picture could not be exported.</source>
         <translation>L’image n’a pas pu être exportée.</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-surface</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -9094,6 +9102,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>Lecture de %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>La housse re&amp;pose sur</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>La forme sur laquelle la housse doit reposer</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>La déformation est d’au pl&amp;us</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>En droit-fil, en travers et en cisaillement&#x202f;; la housse reste où elle est</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Limite de déformation</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Aucu&amp;n pli dans les pièces sélectionnées</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Leur tissu n’est comprimé nulle part&#x202f;; aucune sélectionnée&#x202f;: toutes</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>La couture sélectionnée sui&amp;t</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Une courbe dessinée sur l’armature ou la forme&#x202f;; elle n’a rien à tenir</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Part de l’aire</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>Aire que gardent les pièces &amp;sélectionnées</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Moins de 100&#x202f;%&#x202f;: elles rapetissent</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>Ce qui peut changer</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>Points de contrôle des pièces</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Bouts de coutures</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Où les coutures et les fixations finissent sur des bords lisses</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Embu</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Les côtés des coutures peuvent devenir de longueurs différentes&#x202f;; c’est alors l’embu voulu</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>&amp;Mousse</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>Épaisseur des rembourrages et de la mousse, par voxels entiers</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>&amp;Fixations</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Où se trouvent les courbes de fixation&#x202f;: sur leurs armatures, ou dans l’espace s’il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>Press&amp;ion</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>La pression sous chaque pièce</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Élasticité</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Rigidité des tissus, et combien ils se contractent en travers d’une traction</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>Seulement les pièces sé&amp;lectionnées</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Ce qui reste</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>Longueurs &amp;des coutures</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>Les côtés d’une couture gardent leur différence&#x202f;; si elle est loin de l’embu de la couture, elle s’en rapproche</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>&amp;Bords droits</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>An&amp;gles des coins</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>Aucun point ne bouge de plus &amp;que</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>Choisissez le scan ou le fichier sur lequel la housse doit reposer.</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Sélectionnez la couture qui doit suivre la courbe.</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Peignez la zone dans la vue 3D, ou décochez-la.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Sélectionnez les pièces qui doivent grandir ou rapetisser.</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>Choisissez un objectif.</translation>
     </message>
 </context>
 <context>
@@ -10176,94 +10359,6 @@
         <translation>&amp;Reprendre les modifications</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>Objectif</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>La housse re&amp;pose sur</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Forme</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>La déformation est d’au pl&amp;us</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>En droit-fil, en travers et en cisaillement&#x202f;; la housse reste où elle est</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>Limite de déformation</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>Ce qui peut changer</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>C&amp;ontours</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>Points de contrôle des pièces</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>&amp;Mousse</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>Épaisseur des rembourrages et de la mousse, par voxels entiers</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>&amp;Fixations</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>Press&amp;ion</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>La pression sous chaque pièce</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>Seulement les pièces sé&amp;lectionnées</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>Ce qui reste</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>Longueurs &amp;des coutures</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>Les côtés d’une couture gardent leur différence&#x202f;; si elle est loin de l’embu de la couture, elle s’en rapproche</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>&amp;Bords droits</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>An&amp;gles des coins</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>Aucun point ne bouge de plus &amp;que</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>Modifications de</translation>
     </message>
@@ -10282,18 +10377,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>&amp;Combien</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>La forme sur laquelle la housse doit reposer</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>Choisissez le scan ou le fichier sur lequel la housse doit reposer.</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>Choisissez un objectif.</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10363,46 +10446,6 @@
         <translation>Ajustement du patron…</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>Aucu&amp;n pli dans les pièces sélectionnées</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>Leur tissu n’est comprimé nulle part&#x202f;; aucune sélectionnée&#x202f;: toutes</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Courbe</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>La couture sélectionnée sui&amp;t</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>Une courbe dessinée sur l’armature ou la forme&#x202f;; elle n’a rien à tenir</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>Part de l’aire</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>Aire que gardent les pièces &amp;sélectionnées</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>Moins de 100&#x202f;%&#x202f;: elles rapetissent</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>Sélectionnez la couture qui doit suivre la courbe.</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>Sélectionnez les pièces qui doivent grandir ou rapetisser.</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>Modification du patron…</translation>
     </message>
@@ -10419,40 +10462,8 @@
         <translation>Écart à l’aire voulue&#x202f;: %1 avant, %2 maintenant</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>Bouts de coutures</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>Où les coutures et les fixations finissent sur des bords lisses</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Embu</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>Les côtés des coutures peuvent devenir de longueurs différentes&#x202f;; c’est alors l’embu voulu</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Élasticité</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>Rigidité des tissus, et combien ils se contractent en travers d’une traction</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>Peignez la zone dans la vue 3D, ou décochez-la.</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Arrêté. Avec toutes les modifications trouvées jusque-là&#x202f;:</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>Où se trouvent les courbes de fixation&#x202f;: sur leurs armatures, ou dans l’espace s’il n’y en a pas</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10469,6 +10480,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>%1 de la housse dépasse la limite (avant&#x202f;: %2)</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>Avec la part des modifications qui est montrée, la housse ne peut pas être calculée.</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>Avec la part des modifications qui est montrée&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>Rien des modifications n’est montré maintenant&#x202f;: déplacez le curseur pour les voir.</translation>
     </message>
 </context>
 <context>

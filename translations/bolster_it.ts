@@ -5976,6 +5976,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>è il progetto aperto qui; scegliere un altro nome</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>il file è vuoto; non vi è stato scritto nulla, o è andato perso</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8565,6 +8569,10 @@
         <source>The picture could not be exported.</source>
         <translation>Impossibile esportare l’immagine.</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-superficie</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -9094,6 +9102,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>Lettura di %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>Obiettivo</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>Il ri&amp;vestimento aderisce a</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>La forma a cui deve aderire il rivestimento</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>&amp;Deformazione al massimo</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>In drittofilo, in traverso e a scorrimento; il rivestimento resta dov’è</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Limite di deformazione</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Nessuna pie&amp;ga nei pezzi selezionati</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Nessun loro tessuto è compresso; se nessuno è selezionato: tutti</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>La c&amp;ucitura selezionata segue</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Una curva disegnata sul telaio o sulla forma; non occorre che fissi qualcosa</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Quota dell’area</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>Area mantenuta dai pe&amp;zzi selezionati</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Meno di 100&#xa0;%: diventano più piccoli</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>Che cosa può cambiare</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>&amp;Contorni</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>Punti di controllo dei pezzi</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Estremi cuciture</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Dove cuciture e fissaggi finiscono su bordi lisci</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Lentezza</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>I lati delle cuciture possono diventare di lunghezza diversa; questa è poi la lentezza voluta</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>&amp;Espanso</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>Quanto sono spessi imbottitura ed espanso, a voxel interi</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>&amp;Fissaggi</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Dove si trovano le curve di fissaggio: sui loro telai, o nello spazio dove non ce n’è</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Pressione</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>La pressione sotto ogni pezzo</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Elasticità</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Rigidezza dei tessuti, e quanto si contraggono di traverso alla trazione</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>&amp;Solo dei pezzi selezionati</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Che cosa resta</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>&amp;Lunghezze delle cuciture</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>I lati di una cucitura mantengono la loro differenza; se è lontana dalla lentezza della cucitura, vi si avvicina</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>Lati d&amp;ritti</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>An&amp;goli</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>&amp;Nessun punto si sposta oltre</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>Scegliere la scansione o il file a cui deve aderire il rivestimento.</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Selezionare la cucitura che deve seguire la curva.</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Dipingi la zona nella vista 3D o togli la spunta.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Selezionare i pezzi che devono diventare più grandi o più piccoli.</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>Scegliere un obiettivo.</translation>
     </message>
 </context>
 <context>
@@ -10176,94 +10359,6 @@
         <translation>&amp;Applica le modifiche</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>Obiettivo</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>Il ri&amp;vestimento aderisce a</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>&amp;Deformazione al massimo</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>In drittofilo, in traverso e a scorrimento; il rivestimento resta dov’è</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>Limite di deformazione</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>Che cosa può cambiare</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>&amp;Contorni</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>Punti di controllo dei pezzi</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>&amp;Espanso</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>Quanto sono spessi imbottitura ed espanso, a voxel interi</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>&amp;Fissaggi</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Pressione</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>La pressione sotto ogni pezzo</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>&amp;Solo dei pezzi selezionati</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>Che cosa resta</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>&amp;Lunghezze delle cuciture</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>I lati di una cucitura mantengono la loro differenza; se è lontana dalla lentezza della cucitura, vi si avvicina</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>Lati d&amp;ritti</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>An&amp;goli</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>&amp;Nessun punto si sposta oltre</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>Modifiche di</translation>
     </message>
@@ -10282,18 +10377,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>&amp;Quanto se ne applica</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>La forma a cui deve aderire il rivestimento</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>Scegliere la scansione o il file a cui deve aderire il rivestimento.</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>Scegliere un obiettivo.</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10363,46 +10446,6 @@
         <translation>Adattamento del cartamodello…</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>Nessuna pie&amp;ga nei pezzi selezionati</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>Nessun loro tessuto è compresso; se nessuno è selezionato: tutti</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Curva</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>La c&amp;ucitura selezionata segue</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>Una curva disegnata sul telaio o sulla forma; non occorre che fissi qualcosa</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>Quota dell’area</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>Area mantenuta dai pe&amp;zzi selezionati</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>Meno di 100&#xa0;%: diventano più piccoli</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>Selezionare la cucitura che deve seguire la curva.</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>Selezionare i pezzi che devono diventare più grandi o più piccoli.</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>Modifica del cartamodello…</translation>
     </message>
@@ -10419,40 +10462,8 @@
         <translation>Dall’area voluta: %1 prima, %2 ora</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>Estremi cuciture</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>Dove cuciture e fissaggi finiscono su bordi lisci</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Lentezza</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>I lati delle cuciture possono diventare di lunghezza diversa; questa è poi la lentezza voluta</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Elasticità</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>Rigidezza dei tessuti, e quanto si contraggono di traverso alla trazione</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>Dipingi la zona nella vista 3D o togli la spunta.</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Fermato. Con tutte le modifiche trovate fino a quel momento:</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>Dove si trovano le curve di fissaggio: sui loro telai, o nello spazio dove non ce n’è</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10469,6 +10480,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>%1 del rivestimento è oltre il limite (prima: %2)</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>Con la parte delle modifiche che è mostrata il rivestimento non si può calcolare.</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>Con la parte delle modifiche che è mostrata:</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>Ora delle modifiche non si mostra nulla: sposti il cursore per vederle.</translation>
     </message>
 </context>
 <context>

@@ -5972,6 +5972,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>ここで開いているプロジェクトです。別の名前を選んでください</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>ファイルが空です。何も書き込まれなかったか、内容が失われました</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8559,6 +8563,10 @@
         <source>The picture could not be exported.</source>
         <translation>画像をエクスポートできませんでした。</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-サーフェス</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -9080,6 +9088,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>%1 を読み込んでいます…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>カバーを沿わせる対象(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>カバーを沿わせる形状</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>ひずみの上限(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>地の目方向、直交方向、せん断。カバーの位置は変わりません</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>ひずみの限界</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>選択したパーツにしわなし(&amp;N)</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>生地が押し縮められないようにします。選択なし: すべて</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>選択した縫い目を沿わせる曲線(&amp;U)</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>フレームまたは形状に描いた曲線。何も固定していなくてもかまいません</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>面積の割合</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>選択したパーツの面積の割合(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>100 % 未満: 小さくなります</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>変更するもの</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>輪郭(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>パーツの制御点</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>縫い目の端</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>縫い目と固定が滑らかな縁で終わる位置</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>いせ</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>縫い目の両側の長さが違ってもよく、その差が目標のいせになります</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>フォーム(&amp;A)</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>クッションとフォームの厚さ (ボクセル単位)</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>固定(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>固定曲線の位置：フレームの上、フレームがなければ空間内</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>圧力(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>各パーツの下の圧力</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>伸び</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>生地の剛性と、引いたときに横へ縮む度合い</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>選択したパーツのみ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>保持するもの</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>縫い目の長さ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>縫い目の両側の長さの差を保ちます。縫い目のいせから大きく外れていれば、いせに近づけます</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>直線の辺(&amp;R)</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>角の角度(&amp;G)</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>点の移動の上限(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>カバーを沿わせるスキャンまたはファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>曲線に沿わせる縫い目を選択してください。</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>3D ビューで範囲を塗るか、チェックを外してください。</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>大きく、または小さくするパーツを選択してください。</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>目標を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -10150,94 +10333,6 @@
         <translation>変更を適用(&amp;T)</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>目標</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>カバーを沿わせる対象(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>形状</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>ひずみの上限(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>地の目方向、直交方向、せん断。カバーの位置は変わりません</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>ひずみの限界</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>変更するもの</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>輪郭(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>パーツの制御点</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>フォーム(&amp;A)</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>クッションとフォームの厚さ (ボクセル単位)</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>固定(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>圧力(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>各パーツの下の圧力</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>選択したパーツのみ(&amp;C)</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>保持するもの</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>縫い目の長さ(&amp;E)</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>縫い目の両側の長さの差を保ちます。縫い目のいせから大きく外れていれば、いせに近づけます</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>直線の辺(&amp;R)</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>角の角度(&amp;G)</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>点の移動の上限(&amp;M)</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>変更対象</translation>
     </message>
@@ -10256,18 +10351,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>適用量(&amp;H)</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>カバーを沿わせる形状</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>カバーを沿わせるスキャンまたはファイルを選んでください。</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>目標を選んでください。</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10336,46 +10419,6 @@
         <translation>型紙を合わせています…</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>選択したパーツにしわなし(&amp;N)</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>生地が押し縮められないようにします。選択なし: すべて</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>曲線</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>選択した縫い目を沿わせる曲線(&amp;U)</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>フレームまたは形状に描いた曲線。何も固定していなくてもかまいません</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>面積の割合</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>選択したパーツの面積の割合(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>100 % 未満: 小さくなります</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>曲線に沿わせる縫い目を選択してください。</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>大きく、または小さくするパーツを選択してください。</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>型紙を変更しています…</translation>
     </message>
@@ -10392,40 +10435,8 @@
         <translation>目標の面積との差: 変更前 %1、現在 %2</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>縫い目の端</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>縫い目と固定が滑らかな縁で終わる位置</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>いせ</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>縫い目の両側の長さが違ってもよく、その差が目標のいせになります</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>伸び</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>生地の剛性と、引いたときに横へ縮む度合い</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>3D ビューで範囲を塗るか、チェックを外してください。</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>停止しました。それまでに見つかった変更をすべて適用した場合:</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>固定曲線の位置：フレームの上、フレームがなければ空間内</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10442,6 +10453,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>カバーの %1 が限界を超えています（変更前: %2）</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>表示されている変更の分では、カバーを計算できません。</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>表示されている変更の分:</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>変更は今は何も表示されていません。スライダーを動かすと表示されます。</translation>
     </message>
 </context>
 <context>

@@ -5980,6 +5980,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>to projekt, który jest tu otwarty; wybierz inną nazwę</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>plik jest pusty; nic do niego nie zapisano albo treść przepadła</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8571,6 +8575,10 @@
         <source>The picture could not be exported.</source>
         <translation>Nie udało się wyeksportować obrazu.</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-powierzchnia</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -9108,6 +9116,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>Odczytywanie: %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>Cel</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>Pokrowiec &amp;leży na</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>Forma, na której ma leżeć pokrowiec</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>&amp;Odkształcenie najwyżej</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>Wzdłuż nitki, w poprzek i przy ścinaniu; pokrowiec pozostaje na miejscu</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>Granica odkształcenia</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>Bez &amp;fałd w zaznaczonych elementach</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>Ich materiał nigdzie nie jest ściskany; gdy nic nie zaznaczono: wszystkie</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Krzywa</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>Zaznaczony szew b&amp;iegnie wzdłuż</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>Krzywa narysowana na stelażu lub formie; nie musi niczego mocować</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Udział powierzchni</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>Powierzchnia zaznaczonych elementów &amp;wynosi</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>Poniżej 100%: stają się mniejsze</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>Co może się zmienić</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>&amp;Kontury</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>Punkty kontrolne elementów</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>Końce szwów</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>Gdzie szwy i mocowania kończą się na gładkich krawędziach</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Wdanie</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>Boki szwów mogą stać się różnej długości; to jest wtedy żądane wdanie</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>Pi&amp;anka</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>Grubość wyściółek i pianki, w całych wokselach</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>&amp;Mocowania</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>Gdzie leżą krzywe mocowania: na stelażach albo w przestrzeni, jeśli stelaża nie ma</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Ciśnienie</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>Ciśnienie pod każdym elementem</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Rozciągliwość</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>Sztywność materiałów i to, jak kurczą się w poprzek naciągu</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>Tylko w &amp;zaznaczonych elementach</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Co pozostaje</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>&amp;Długości szwów</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>Strony szwu zachowują różnicę; jeśli jest daleka od wdania szwu, zbliża się do niego</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>P&amp;roste krawędzie</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>Kąty ro&amp;gów</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>Żaden punkt nie przesunie &amp;się dalej niż</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>Wybierz skan lub plik, na którym ma leżeć pokrowiec.</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>Zaznacz szew, który ma biec wzdłuż krzywej.</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>Pomaluj obszar w widoku 3D albo odznacz go.</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>Zaznacz elementy, które mają się stać większe lub mniejsze.</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>Wybierz cel.</translation>
     </message>
 </context>
 <context>
@@ -10202,94 +10385,6 @@
         <translation>&amp;Przejmij zmiany</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>Cel</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>Pokrowiec &amp;leży na</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>&amp;Odkształcenie najwyżej</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>Wzdłuż nitki, w poprzek i przy ścinaniu; pokrowiec pozostaje na miejscu</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>Granica odkształcenia</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>Co może się zmienić</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>&amp;Kontury</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>Punkty kontrolne elementów</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>Pi&amp;anka</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>Grubość wyściółek i pianki, w całych wokselach</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>&amp;Mocowania</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Ciśnienie</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>Ciśnienie pod każdym elementem</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>Tylko w &amp;zaznaczonych elementach</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>Co pozostaje</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>&amp;Długości szwów</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>Strony szwu zachowują różnicę; jeśli jest daleka od wdania szwu, zbliża się do niego</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>P&amp;roste krawędzie</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>Kąty ro&amp;gów</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>Żaden punkt nie przesunie &amp;się dalej niż</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>Zmiany</translation>
     </message>
@@ -10308,18 +10403,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>&amp;Ile z tego</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>Forma, na której ma leżeć pokrowiec</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>Wybierz skan lub plik, na którym ma leżeć pokrowiec.</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>Wybierz cel.</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10390,46 +10473,6 @@
         <translation>Dopasowywanie wykroju…</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>Bez &amp;fałd w zaznaczonych elementach</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>Ich materiał nigdzie nie jest ściskany; gdy nic nie zaznaczono: wszystkie</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Krzywa</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>Zaznaczony szew b&amp;iegnie wzdłuż</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>Krzywa narysowana na stelażu lub formie; nie musi niczego mocować</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>Udział powierzchni</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>Powierzchnia zaznaczonych elementów &amp;wynosi</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>Poniżej 100%: stają się mniejsze</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>Zaznacz szew, który ma biec wzdłuż krzywej.</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>Zaznacz elementy, które mają się stać większe lub mniejsze.</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>Zmienianie wykroju…</translation>
     </message>
@@ -10446,40 +10489,8 @@
         <translation>Odchyłka od żądanej powierzchni: %1 przedtem, %2 teraz</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>Końce szwów</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>Gdzie szwy i mocowania kończą się na gładkich krawędziach</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Wdanie</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>Boki szwów mogą stać się różnej długości; to jest wtedy żądane wdanie</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Rozciągliwość</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>Sztywność materiałów i to, jak kurczą się w poprzek naciągu</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>Pomaluj obszar w widoku 3D albo odznacz go.</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili:</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>Gdzie leżą krzywe mocowania: na stelażach albo w przestrzeni, jeśli stelaża nie ma</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10496,6 +10507,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>%1 pokrowca powyżej granicy (przedtem: %2)</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>Z pokazaną częścią zmian nie można obliczyć pokrowca.</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>Z pokazaną częścią zmian:</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>Teraz nie widać żadnej ze zmian: przesuń suwak, aby je zobaczyć.</translation>
     </message>
 </context>
 <context>

@@ -5972,6 +5972,10 @@
         <source>it is the project that is open here; choose another name</source>
         <translation>这是此处打开的项目；请另选名称</translation>
     </message>
+    <message>
+        <source>the file is empty; nothing was written to it, or it was lost</source>
+        <translation>文件是空的；没有写入任何内容，或者内容已丢失</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8559,6 +8563,10 @@
         <source>The picture could not be exported.</source>
         <translation>无法导出图片。</translation>
     </message>
+    <message>
+        <source>-surface</source>
+        <translation>-曲面</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -9080,6 +9088,181 @@
     <message>
         <source>Reading %1 …</source>
         <translation>正在读取 %1…</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FitOrderPanel</name>
+    <message>
+        <source>Goal</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>The cover &amp;lies on</source>
+        <translation>面套贴合(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The form that the cover shall lie on</source>
+        <translation>面套要贴合的形体</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>形体</translation>
+    </message>
+    <message>
+        <source>&amp;Strain is at most</source>
+        <translation>应变不超过(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
+        <translation>沿布纹、横布纹和剪切；面套保持原位</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Limit of strain</source>
+        <translation>应变极限</translation>
+    </message>
+    <message>
+        <source>&amp;No folds in selected patches</source>
+        <translation>所选样片无褶皱(&amp;N)</translation>
+    </message>
+    <message>
+        <source>No cloth of them is pressed together; none selected: all</source>
+        <translation>其布料不受挤压；未选择时：全部</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>The selected seam r&amp;uns along</source>
+        <translation>所选接缝沿曲线(&amp;U)</translation>
+    </message>
+    <message>
+        <source>A curve drawn on the frame or the form; it need hold nothing</source>
+        <translation>在骨架或形体上绘制的曲线；无需起固定作用</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>面积比例</translation>
+    </message>
+    <message>
+        <source>Area of selected patches &amp;becomes</source>
+        <translation>所选样片保留面积(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Less than 100 %: they become smaller</source>
+        <translation>小于 100%：样片变小</translation>
+    </message>
+    <message>
+        <source>What may change</source>
+        <translation>允许更改</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>轮廓(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Control points of the patches</source>
+        <translation>样片的控制点</translation>
+    </message>
+    <message>
+        <source>Ends of seams</source>
+        <translation>接缝端点</translation>
+    </message>
+    <message>
+        <source>Where seams and fixations end on smooth edges</source>
+        <translation>接缝和固定在平滑边上的端点位置</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>吃势</translation>
+    </message>
+    <message>
+        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
+        <translation>接缝两侧长度可以变得不同；差值即为所需吃势</translation>
+    </message>
+    <message>
+        <source>Fo&amp;am</source>
+        <translation>泡沫(&amp;A)</translation>
+    </message>
+    <message>
+        <source>How thick cushions and foam are, by whole voxels</source>
+        <translation>软垫和泡沫的厚度，以整数个体素计</translation>
+    </message>
+    <message>
+        <source>F&amp;ixations</source>
+        <translation>固定(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
+        <translation>固定曲线的位置：在骨架上，没有骨架时在空间中</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>压力(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The pressure under each patch</source>
+        <translation>各样片下的压力</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>弹性</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
+        <translation>面料的刚度，以及受拉时横向收缩多少</translation>
+    </message>
+    <message>
+        <source>Of sele&amp;cted patches only</source>
+        <translation>仅所选样片(&amp;C)</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>L&amp;engths of seams</source>
+        <translation>接缝长度(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
+        <translation>接缝两侧保持其差值；若与接缝吃势相差较大，则向其靠近</translation>
+    </message>
+    <message>
+        <source>St&amp;raight edges</source>
+        <translation>直边(&amp;R)</translation>
+    </message>
+    <message>
+        <source>An&amp;gles of corners</source>
+        <translation>角点角度(&amp;G)</translation>
+    </message>
+    <message>
+        <source>No point &amp;moves farther than</source>
+        <translation>点移动不超过(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Choose the scan or the file that the cover shall lie on.</source>
+        <translation>请选择面套要贴合的扫描或文件。</translation>
+    </message>
+    <message>
+        <source>Select the seam that shall run along the curve.</source>
+        <translation>请选择要沿曲线的接缝。</translation>
+    </message>
+    <message>
+        <source>Paint the area in the 3D view, or untick it.</source>
+        <translation>请在三维视图中涂出区域，或取消勾选。</translation>
+    </message>
+    <message>
+        <source>Select the patches that shall become larger or smaller.</source>
+        <translation>请选择要变大或变小的样片。</translation>
+    </message>
+    <message>
+        <source>Choose a goal.</source>
+        <translation>请选择目标。</translation>
     </message>
 </context>
 <context>
@@ -10150,94 +10333,6 @@
         <translation>采用更改(&amp;T)</translation>
     </message>
     <message>
-        <source>Goal</source>
-        <translation>目标</translation>
-    </message>
-    <message>
-        <source>The cover &amp;lies on</source>
-        <translation>面套贴合(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>形体</translation>
-    </message>
-    <message>
-        <source>&amp;Strain is at most</source>
-        <translation>应变不超过(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Along the grain, across it, and in shear; the cover stays where it is</source>
-        <translation>沿布纹、横布纹和剪切；面套保持原位</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Limit of strain</source>
-        <translation>应变极限</translation>
-    </message>
-    <message>
-        <source>What may change</source>
-        <translation>允许更改</translation>
-    </message>
-    <message>
-        <source>&amp;Outlines</source>
-        <translation>轮廓(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Control points of the patches</source>
-        <translation>样片的控制点</translation>
-    </message>
-    <message>
-        <source>Fo&amp;am</source>
-        <translation>泡沫(&amp;A)</translation>
-    </message>
-    <message>
-        <source>How thick cushions and foam are, by whole voxels</source>
-        <translation>软垫和泡沫的厚度，以整数个体素计</translation>
-    </message>
-    <message>
-        <source>F&amp;ixations</source>
-        <translation>固定(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>压力(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The pressure under each patch</source>
-        <translation>各样片下的压力</translation>
-    </message>
-    <message>
-        <source>Of sele&amp;cted patches only</source>
-        <translation>仅所选样片(&amp;C)</translation>
-    </message>
-    <message>
-        <source>What stays</source>
-        <translation>保持不变</translation>
-    </message>
-    <message>
-        <source>L&amp;engths of seams</source>
-        <translation>接缝长度(&amp;E)</translation>
-    </message>
-    <message>
-        <source>The sides of a seam keep their difference; if it is far from the seam&apos;s ease, it comes nearer to it</source>
-        <translation>接缝两侧保持其差值；若与接缝吃势相差较大，则向其靠近</translation>
-    </message>
-    <message>
-        <source>St&amp;raight edges</source>
-        <translation>直边(&amp;R)</translation>
-    </message>
-    <message>
-        <source>An&amp;gles of corners</source>
-        <translation>角点角度(&amp;G)</translation>
-    </message>
-    <message>
-        <source>No point &amp;moves farther than</source>
-        <translation>点移动不超过(&amp;M)</translation>
-    </message>
-    <message>
         <source>Changes of</source>
         <translation>更改对象</translation>
     </message>
@@ -10256,18 +10351,6 @@
     <message>
         <source>&amp;How much of it</source>
         <translation>采用多少(&amp;H)</translation>
-    </message>
-    <message>
-        <source>The form that the cover shall lie on</source>
-        <translation>面套要贴合的形体</translation>
-    </message>
-    <message>
-        <source>Choose the scan or the file that the cover shall lie on.</source>
-        <translation>请选择面套要贴合的扫描或文件。</translation>
-    </message>
-    <message>
-        <source>Choose a goal.</source>
-        <translation>请选择目标。</translation>
     </message>
     <message>
         <source>Solving the cover …</source>
@@ -10336,46 +10419,6 @@
         <translation>正在拟合样板…</translation>
     </message>
     <message>
-        <source>&amp;No folds in selected patches</source>
-        <translation>所选样片无褶皱(&amp;N)</translation>
-    </message>
-    <message>
-        <source>No cloth of them is pressed together; none selected: all</source>
-        <translation>其布料不受挤压；未选择时：全部</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>The selected seam r&amp;uns along</source>
-        <translation>所选接缝沿曲线(&amp;U)</translation>
-    </message>
-    <message>
-        <source>A curve drawn on the frame or the form; it need hold nothing</source>
-        <translation>在骨架或形体上绘制的曲线；无需起固定作用</translation>
-    </message>
-    <message>
-        <source>Share of the area</source>
-        <translation>面积比例</translation>
-    </message>
-    <message>
-        <source>Area of selected patches &amp;becomes</source>
-        <translation>所选样片保留面积(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Less than 100 %: they become smaller</source>
-        <translation>小于 100%：样片变小</translation>
-    </message>
-    <message>
-        <source>Select the seam that shall run along the curve.</source>
-        <translation>请选择要沿曲线的接缝。</translation>
-    </message>
-    <message>
-        <source>Select the patches that shall become larger or smaller.</source>
-        <translation>请选择要变大或变小的样片。</translation>
-    </message>
-    <message>
         <source>Changing the pattern …</source>
         <translation>正在更改样板…</translation>
     </message>
@@ -10392,40 +10435,8 @@
         <translation>与目标面积相差：之前 %1，现在 %2</translation>
     </message>
     <message>
-        <source>Ends of seams</source>
-        <translation>接缝端点</translation>
-    </message>
-    <message>
-        <source>Where seams and fixations end on smooth edges</source>
-        <translation>接缝和固定在平滑边上的端点位置</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>吃势</translation>
-    </message>
-    <message>
-        <source>Sides of seams may come to differ in length; that is then the ease wanted</source>
-        <translation>接缝两侧长度可以变得不同；差值即为所需吃势</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>弹性</translation>
-    </message>
-    <message>
-        <source>Stiffness of the fabrics, and how much they contract across a pull</source>
-        <translation>面料的刚度，以及受拉时横向收缩多少</translation>
-    </message>
-    <message>
-        <source>Paint the area in the 3D view, or untick it.</source>
-        <translation>请在三维视图中涂出区域，或取消勾选。</translation>
-    </message>
-    <message>
         <source>Stopped. With all of the changes that were found until then:</source>
         <translation>已停止。采用到此为止找到的全部更改：</translation>
-    </message>
-    <message>
-        <source>Where fixation curves lie: on their frames, or in space where there is none</source>
-        <translation>固定曲线的位置：在骨架上，没有骨架时在空间中</translation>
     </message>
     <message>
         <source>%1 from the form (rms), on few triangles at first</source>
@@ -10442,6 +10453,18 @@
     <message>
         <source>%1 of the cover is over the limit (before: %2)</source>
         <translation>面套的 %1 超过极限（之前：%2）</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes the cover cannot be solved.</source>
+        <translation>按所显示的这部分更改，无法求解面套。</translation>
+    </message>
+    <message>
+        <source>With what is shown of the changes:</source>
+        <translation>按所显示的这部分更改：</translation>
+    </message>
+    <message>
+        <source>Nothing of the changes is shown now: move the slider to see them.</source>
+        <translation>现在未显示任何更改：移动滑块即可查看。</translation>
     </message>
 </context>
 <context>

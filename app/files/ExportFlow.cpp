@@ -175,7 +175,7 @@ void ExportFlow::exportSurface(const SurfaceMeshPtr& surface)
 {
     if (!surface)
         return;
-    m_talk.chooseTarget(tr("Export surface"), m_talk.proposed(QStringLiteral("obj"), tr("-cover")),
+    m_talk.chooseTarget(tr("Export surface"), m_talk.proposed(QStringLiteral("obj"), tr("-surface")),
                         filtersOf(FileUse::SurfaceOut), endingsOf(FileUse::SurfaceOut),
                         [this, surface](const QString& path) { exportSurfaceTo(surface, path); });
 }

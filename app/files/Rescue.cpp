@@ -37,11 +37,11 @@ Rescue::Rescue(FileTalk& talk, SaveFlow& saving)
     , m_saving(saving)
 {}
 
-/// Designs as text say where they are wrong; there is nothing to salvage. Nor is there in a sound project, which
-/// cannot be opened where the disk of the journals is full.
+/// Designs as text say where they are wrong; there is nothing to salvage. Nor is there in an empty file, or in a sound
+/// project, which cannot be opened where the disk of the journals is full.
 void Rescue::failToOpen(const QString& path, const Message& problem)
 {
-    if (!DesignSession::isProject(path) || !QFileInfo(path).isFile()) {
+    if (!DesignSession::isProject(path) || !QFileInfo(path).isFile() || QFileInfo(path).size() == 0) {
         offerSalvage(path, problem, false);
         return;
     }

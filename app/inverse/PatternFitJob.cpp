@@ -19,4 +19,17 @@ FitFound fitTo(const FitWanted& wanted, const std::function<void(double, const F
     return found;
 }
 
+PartFound measurePart(const PartWanted& wanted, const std::stop_token& stop)
+{
+    PartFound found{wanted.number, {}};
+    try {
+        FitOrder order = wanted.fit.order;
+        if (Message problem; readTarget(wanted.fit.form, order.goals.target, problem, stop))
+            found.figures = measureChange(wanted.fit.input, order, wanted.changed, stop);
+    } catch (const std::exception&) {
+        found.figures.reset(); // the live solver says why
+    }
+    return found;
+}
+
 } // namespace bolster

@@ -1,33 +1,29 @@
 // Changes the pattern after a goal: asks, shows what would change, and takes as much of it as is wanted.
 #pragma once
 
-#include "AreaRow.h"
 #include "Document.h"
+#include "FitOrderPanel.h"
 #include "Gesture.h"
 #include "LatestJob.h"
 #include "PatternFitJob.h"
-#include "Selection.h"
 
 #include <QDialog>
+#include <QTimer>
 
 #include <memory>
 #include <optional>
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
 class QTreeWidget;
-class QVBoxLayout;
 
 namespace bolster {
 
 class DesignSession;
-class FormChoice;
-class NumberBox;
 class PatternView;
 class RunRow;
+class Selection;
 
 class PatternFitWindow : public QDialog {
     Q_OBJECT
@@ -46,21 +42,19 @@ public:
 
 private:
     void build();
-    QWidget* buildGoals();
-    void addSelectedGoals(QVBoxLayout& rows, QWidget& box);
-    QWidget* buildFreedoms();
-    QWidget* buildLocks();
     QWidget* buildOutcome();
     void find();
     void stop();
     void setRunning(bool running);
-    FitOrder order() const;
-    void addSelectedGoals(FitGoals& goals) const;
-    /// What is missing for the goals that are ticked; empty when nothing is.
-    QString missingGoal(const FitGoals& goals) const;
     void showProgress(double share, const FitRound& round);
     void take(FitFound found);
-    void show(FitFound found, const QString& lead);
+    void show(FitFound found, const QString& lead, const std::optional<FitFigures>& whole);
+    void say(const QString& lead, const std::optional<FitFigures>& now);
+    bool showsAll() const;
+    QString lead() const;
+    void measure();
+    void endMeasuring();
+    void takePart(const PartFound& found);
     void forget(const QString& why);
     void fillPatches();
     Design changedDesign() const;
@@ -71,22 +65,9 @@ private:
 
     DesignSession& m_session;
     Document& m_document;
-    Selection& m_selection;
     PatternView& m_pattern;
-    AreaRow* m_area; ///< goals of form and strain count there
 
-    QCheckBox* m_lies = nullptr;
-    FormChoice* m_form = nullptr;
-    QCheckBox* m_strained = nullptr;
-    NumberBox* m_limit = nullptr;
-    QCheckBox *m_smooth = nullptr, *m_along = nullptr, *m_sized = nullptr;
-    QComboBox* m_curve = nullptr;
-    NumberBox* m_size = nullptr;
-    QCheckBox *m_outlines = nullptr, *m_seams = nullptr, *m_ease = nullptr, *m_foam = nullptr,
-              *m_fixations = nullptr, *m_pressure = nullptr, *m_stretch = nullptr;
-    QCheckBox* m_selectedOnly = nullptr;
-    QCheckBox *m_lengths = nullptr, *m_straight = nullptr, *m_corners = nullptr;
-    NumberBox* m_most = nullptr;
+    FitOrderPanel* m_order;
     RunRow* m_run = nullptr;
     QPushButton* m_take = nullptr;
     QLabel* m_said = nullptr;
@@ -96,10 +77,17 @@ private:
     QLabel *m_shareSaid = nullptr, *m_arrowsSaid = nullptr;
 
     Design m_start;     ///< of what is sought or was found
+    FitWanted m_wanted; ///< of the present or last run
+    FitOrderPanel::Goals m_sought;
     FitFound m_reached; ///< the best of the present run, until it ends
     std::optional<FitFound> m_found;
+    QString m_lead; ///< to the figures of all that was found
+    std::optional<FitFigures> m_whole;
     std::optional<Gesture> m_gesture;     ///< while changes are shown
-    LatestJob<FitWanted, FitFound> m_job; ///< last: it uses the others
+    QTimer m_slider;                      ///< since something else is shown
+    int m_part = 0;                       ///< number of what is shown
+    LatestJob<FitWanted, FitFound> m_job; ///< last: they use the others
+    LatestJob<PartWanted, PartFound> m_measuring;
 };
 
 } // namespace bolster

@@ -207,7 +207,9 @@ void MainWindow::connectSession()
     });
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
-        if (!m_solver->surface() || document().design().find<Scan>(id)) // which may be anywhere
+        const Box3 box = m_coverView->shown().selectedBox(); // may be anywhere, and of any size
+        if (!m_solver->surface() || document().design().find<Scan>(id) ||
+            (!box.isEmpty() && !m_coverView->navigation().inPicture(box)))
             m_coverView->navigation().fitAll();
     });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);

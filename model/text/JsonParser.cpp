@@ -35,6 +35,9 @@ public:
             m_at = 3;
         if (m_text.starts_with("\xFF\xFE") || m_text.starts_with("\xFE\xFF"))
             return fail(QT_TRANSLATE_NOOP("Message", "the text is UTF-16; save it as UTF-8"));
+        skipSpace();
+        if (ended())
+            return fail(QT_TRANSLATE_NOOP("Message", "the file is empty; nothing was written to it, or it was lost"));
         if (!value(0))
             return false;
         skipSpace();

@@ -502,4 +502,25 @@ FitResult fitPattern(const SolveInput& input, const FitOrder& order,
     return Fit(input, order, progress, stop).run();
 }
 
+std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOrder& order, const Design& changed,
+                                        const std::stop_token& stop)
+{
+    WarmOrder warm;
+    warm.edgeLength = edgesFor(input.design).back();
+    warm.tolerance = restTolerance;
+    warm.threads = order.threads;
+    FitRows rows(order.goals, order.locks, input.design);
+    const WarmCover before(input, warm, stop);
+    if (!before.problem().empty() || stop.stop_requested())
+        return std::nullopt;
+    rows.keep(before);
+    MeasuredChange measured{rows.figures(before, input.design), {}};
+    const WarmCover cover(SolveInput(changed, input.files), warm, stop);
+    if (!cover.problem().empty() || stop.stop_requested())
+        return std::nullopt;
+    rows.aim(cover);
+    measured.after = rows.figures(cover, changed);
+    return measured;
+}
+
 } // namespace bolster

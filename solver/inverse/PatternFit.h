@@ -6,6 +6,7 @@
 #include "SolveInput.h"
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -56,6 +57,15 @@ Design withEases(const Design& before, const Design& changed);
 FitResult fitPattern(const SolveInput& input, const FitOrder& order,
                      const std::function<void(double, const FitRound&)>& progress = {},
                      const std::stop_token& stop = {});
+
+struct MeasuredChange {
+    FitFigures before, after;
+};
+
+/// What another change of the same pattern comes to, on the same last triangles. Nothing when its cover cannot be
+/// solved, or `stop`.
+std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOrder& order, const Design& changed,
+                                        const std::stop_token& stop = {});
 
 /// How far the control points that an outline's freedoms move have moved, mm; of others their steps.
 double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& values);

@@ -243,9 +243,18 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     const auto idOf = [&](int row) {
         return static_cast<ElementId>(list->topLevelItem(row)->data(0, Qt::UserRole).toUInt());
     };
+    const auto said = [&] {
+        QString found;
+        for (const auto* label : dialog->findChildren<QLabel*>())
+            if (label->text().contains("of the changes:"))
+                found = label->text();
+        return found;
+    };
     const auto outlineNow = [&](ElementId id) { return design().find<Patch>(id)->outline; };
     const ElementId left = idOf(0), taken = idOf(1);
     const BSpline2 whole = outlineNow(taken);
+    const QString all = said();
+    EXPECT_TRUE(all.startsWith("With all")) << all.toStdString();
     EXPECT_FALSE(outlineNow(left) == before.find<Patch>(left)->outline);
 
     list->setFocus();
@@ -260,6 +269,11 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     const Vec2 start = before.find<Patch>(taken)->outline.points()[0];
     const Vec2 half = outlineNow(taken).points()[0];
     EXPECT_LT((half - (start + whole.points()[0]) / 2).norm(), 1e-6);
+
+    EXPECT_TRUE(said().startsWith("With what is shown")) << said().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !said().contains(QChar(0x2026)); }, 60000))
+        << "figures are those of what is shown";
+    EXPECT_NE(said().section('\n', 1), all.section('\n', 1));
 
     const int steps = window.document().history().count();
     pressIn(*dialog, "Take the changes");

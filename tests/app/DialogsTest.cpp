@@ -102,6 +102,22 @@ TEST_F(DialogsTest, ANewWindowTakesClicksAfterAnImportWasGivenUp)
     EXPECT_FALSE(window.document().dirty());
 }
 
+TEST_F(DialogsTest, AFrameThatIsLargerThanThePictureIsSeenWhole)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("pillow"))));
+    ASSERT_TRUE(waitUntilSolved());
+    window.coverView().navigation().setAnimated(false);
+    const int before = frames();
+    window.files().imports.importFrame(writeBox(3400));
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    QTest::keyClick(import, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return frames() == before + 1; }));
+    const Box3 box = window.coverView().shown().selectedBox();
+    EXPECT_NEAR(box.sizes().maxCoeff(), 3400, 1);
+    EXPECT_TRUE(window.coverView().navigation().inPicture(box));
+}
+
 TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
 {
     window.files().imports.importFrame(writeBox(800));

@@ -925,6 +925,23 @@ TEST_F(ProjectFilesTest, WhatCanBeReadOfADamagedOneIsRecovered)
     EXPECT_EQ(after.readAll(), damaged) << "the damaged file stays as it is";
 }
 
+TEST_F(ProjectFilesTest, OfAnEmptyFileNothingIsOffered)
+{
+    const QString path = folder.filePath("empty.bolster");
+    ASSERT_TRUE(QFile(path).open(QFile::WriteOnly));
+    QString said;
+    int buttons = 0;
+    whenABoxHas([&](QMessageBox& box) {
+        said = box.informativeText();
+        buttons = static_cast<int>(box.buttons().size());
+        return box.button(QMessageBox::Ok);
+    });
+    window.open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
+    EXPECT_TRUE(said.contains(QStringLiteral("the file is empty"), Qt::CaseInsensitive)) << said.toStdString();
+    EXPECT_EQ(buttons, 1);
+}
+
 TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));

@@ -299,7 +299,7 @@ const std::string bomb(1'000'000, '[');
 INSTANTIATE_TEST_SUITE_P(
     Texts, UnreadableText,
     testing::Values(
-        Unreadable{"Empty", "", "Line 1, column 1"}, Unreadable{"Spaces", "  \n ", "Line 2, column 2"},
+        Unreadable{"Empty", "", "the file is empty"}, Unreadable{"Spaces", "  \n ", "the file is empty"},
         Unreadable{"Comma", "{\"format\": \"bolster-design\",\n \"version\" 1}", "Line 2, column 12: a colon"},
         Unreadable{"Bracket", "{\"a\": [1, 2}", "Line 1, column 12"},
         Unreadable{"Ends", "{\"a\": [1, 2", "Line 1, column 12"},

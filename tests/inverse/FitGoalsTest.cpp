@@ -50,6 +50,28 @@ TEST(FitGoals, APatchGetsTheSizeThatIsWanted)
     EXPECT_LT(result.after.sewnMost, 0.5) << "what is sewn to it goes with it";
 }
 
+TEST(FitGoals, WhatIsMeasuredOfAllOfAChangeIsWhatTheFitReached)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    FitOrder order = orderFor(design);
+    order.goals.sizes = {{firstPatch(design), 0.95}};
+    const FitResult result = fitPattern(design, order);
+    ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();
+    const auto whole = measureChange(design, order, result.design);
+    ASSERT_TRUE(whole);
+    EXPECT_NEAR(whole->after.sizeMost, result.after.sizeMost, 1e-9);
+    EXPECT_NEAR(whole->after.shapeRms, result.after.shapeRms, 1e-3);
+    const auto half = measureChange(design, order, withFreedoms(design, order.freedoms, 0.5 * result.values));
+    ASSERT_TRUE(half);
+    EXPECT_NEAR(half->before.sizeMost, result.before.sizeMost, 1e-9);
+    EXPECT_GT(half->after.sizeMost, whole->after.sizeMost + 0.01);
+    EXPECT_LT(half->after.shapeRms, whole->after.shapeRms);
+    EXPECT_GT(half->after.shapeRms, 0.2 * whole->after.shapeRms);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(measureChange(design, order, result.design, stop.get_token()));
+}
+
 TEST(FitGoals, ASeamGoesToItsCurve)
 {
     const Design design = coarseSample("box-cushion", coarseEdge);

@@ -57,14 +57,18 @@ bool ShownFrames::update(const Design& design, const DesignFiles& files, const S
     return true;
 }
 
-std::optional<Vec3> ShownFrames::middleOf(ElementId id) const
+Box3 ShownFrames::boxOf(ElementId id) const
 {
-    for (std::size_t i = 0; i < m_ids.size(); ++i)
-        if (m_ids[i] == id) {
-            const Scene::FrameLook& look = m_scene.frames[i];
-            return look.placement.placed(look.mesh->boundingBox().center());
-        }
-    return std::nullopt;
+    constexpr int corners = 8;
+    Box3 box;
+    const auto at = std::ranges::find(m_ids, id);
+    if (at == m_ids.end())
+        return box;
+    const Scene::FrameLook& look = m_scene.frames[static_cast<std::size_t>(at - m_ids.begin())];
+    const Box3 own = look.mesh->boundingBox();
+    for (int corner = 0; corner < corners && !own.isEmpty(); ++corner)
+        box.extend(look.placement.placed(own.corner(static_cast<Box3::CornerType>(corner))));
+    return box;
 }
 
 double ShownFrames::floorUnder(const Design& design, const Box3& shown)

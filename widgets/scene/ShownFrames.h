@@ -7,7 +7,6 @@
 #include "SkinnedFrames.h"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace bolster {
@@ -27,8 +26,8 @@ public:
     const FrameShapes& shapes() const { return m_shapes; }
     const FoamMeshes& foam() const { return m_foam; }
     SkinnedFrames& skins() { return m_skins; }
-    /// Of a frame or foam that is shown, mm.
-    std::optional<Vec3> middleOf(ElementId id) const;
+    /// About a frame or foam, mm; empty if it is not shown.
+    Box3 boxOf(ElementId id) const;
     /// Height of the ground, mm, under what is shown: a frame stands on it, and a cover that hangs a little below
     /// it does. Patches that lie anywhere do not move it, nor does a frame that is hidden for a while.
     double floorUnder(const Design& design, const Box3& shown);

@@ -297,8 +297,8 @@ std::optional<CoverPoint> ShownScene::inPattern(const CoverHit& solid) const
 
 Vec3 ShownScene::middleOf(ElementId id) const
 {
-    if (const std::optional<Vec3> middle = m_frames.middleOf(id))
-        return *middle;
+    if (const Box3 frame = m_frames.boxOf(id); !frame.isEmpty())
+        return frame.center();
     if (const Box3 scan = m_scans.points().box(id); !scan.isEmpty() && m_visibility.layerVisible(Layer::Scans))
         return scan.center(); // where a scanner stood says nothing
     const ElementPtr element = m_document.design().element(id);
@@ -322,8 +322,10 @@ Box3 ShownScene::selectedBox() const
 {
     Box3 box = m_curves.box(m_selection.elements());
     box.extend(m_cover.box(m_selection.elements()));
-    for (const ElementId id : m_selection.elements())
+    for (const ElementId id : m_selection.elements()) {
         box.extend(m_scans.points().box(id));
+        box.extend(m_frames.boxOf(id));
+    }
     return box;
 }
 
