@@ -5980,6 +5980,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>die Datei ist leer; es wurde nichts hineingeschrieben, oder es ging verloren</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>sie ist in einem anderen Fenster geöffnet; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>der Datenträger von „%1“ ist voll, wo Arbeit vor Abstürzen geschützt wird; schaffen Sie Platz, und öffnen Sie sie noch einmal</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -11079,6 +11087,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>&amp;Gerettetes öffnen</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>Es wird gesucht, was in „%1“ lesbar ist …</translation>
     </message>
 </context>
 <context>

@@ -5980,6 +5980,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>el archivo está vacío; no se escribió nada en él, o se perdió</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>está abierto en otra ventana; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>el disco de «%1», donde el trabajo se protege de fallos, está lleno; libere espacio y ábralo de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -11079,6 +11087,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>&amp;Abrir lo recuperado</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>Buscando lo que se puede leer en «%1»…</translation>
     </message>
 </context>
 <context>

@@ -5980,6 +5980,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>le fichier est vide&#x202f;; rien n’y a été écrit, ou le contenu s’est perdu</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>il est ouvert dans une autre fenêtre&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>le disque de «&#xa0;%1&#xa0;», où le travail est protégé des plantages, est plein&#x202f;; faites de la place et rouvrez-le</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9132,7 +9140,7 @@
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation>&#x202f;%</translation>
     </message>
     <message>
         <source>Limit of strain</source>
@@ -9176,7 +9184,7 @@
     </message>
     <message>
         <source>&amp;Outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Contours</translation>
     </message>
     <message>
         <source>Control points of the patches</source>
@@ -11079,6 +11087,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>&amp;Ouvrir ce qui a été récupéré</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>Recherche de ce qui peut être lu dans «&#xa0;%1&#xa0;»…</translation>
     </message>
 </context>
 <context>

@@ -5980,6 +5980,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>il file è vuoto; non vi è stato scritto nulla, o è andato perso</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>è aperto in un’altra finestra; scelga un altro nome</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>il disco di «%1», dove il lavoro è protetto dai blocchi, è pieno; faccia spazio e lo riapra</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -11079,6 +11087,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>Apri ciò che è stato &amp;recuperato</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>Ricerca di ciò che si può leggere in «%1»…</translation>
     </message>
 </context>
 <context>

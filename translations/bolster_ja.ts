@@ -5976,6 +5976,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>ファイルが空です。何も書き込まれなかったか、内容が失われました</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>別のウィンドウで開かれています。ほかの名前を選んでください</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>作業をクラッシュから守る場所「%1」のディスクがいっぱいです。空きを作り、もう一度開いてください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -11050,6 +11058,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>復旧した内容を開く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>「%1」で読み取れるものを探しています…</translation>
     </message>
 </context>
 <context>

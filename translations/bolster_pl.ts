@@ -5984,6 +5984,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>plik jest pusty; nic do niego nie zapisano albo treść przepadła</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>jest otwarty w innym oknie; wybierz inną nazwę</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>dysk z „%1”, gdzie praca jest chroniona przed awarią, jest pełny; zwolnij miejsce i otwórz ponownie</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -11108,6 +11116,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>Otwórz &amp;uratowane</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>Szukanie tego, co można odczytać w „%1”…</translation>
     </message>
 </context>
 <context>

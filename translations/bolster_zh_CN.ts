@@ -5976,6 +5976,14 @@
         <source>the file is empty; nothing was written to it, or it was lost</source>
         <translation>文件是空的；没有写入任何内容，或者内容已丢失</translation>
     </message>
+    <message>
+        <source>it is open in another window; choose another name</source>
+        <translation>它已在另一个窗口中打开；请另选名称</translation>
+    </message>
+    <message>
+        <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
+        <translation>用于防止崩溃丢失工作的“%1”所在磁盘已满；请腾出空间后重新打开</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -11050,6 +11058,10 @@
     <message>
         <source>Open what was &amp;recovered</source>
         <translation>打开恢复的内容(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Looking for what can be read in &quot;%1&quot; …</source>
+        <translation>正在查找“%1”中可读取的内容…</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "Output.h"
 #include "TemporaryFile.h"
+#include "WholeFile.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -12,17 +13,6 @@
 
 namespace bolster::cli {
 namespace {
-
-/// One name for one file, however it is reached. Several outputs may go to the same device.
-QString resolved(const QString& path)
-{
-    constexpr int mostLinks = 40;
-    QFileInfo info(path);
-    for (int links = 0; info.isSymLink() && links < mostLinks; ++links)
-        info.setFile(info.symLinkTarget()); // which may not be there yet
-    const QString folder = QFileInfo(info.absolutePath()).canonicalFilePath();
-    return folder.isEmpty() ? info.absoluteFilePath() : folder + "/" + info.fileName();
-}
 
 bool isDevice(const QString& path)
 {
@@ -47,7 +37,7 @@ OutputFiles::OutputFiles(const Arguments& arguments, std::initializer_list<const
             continue;
         const QString path = arguments.path(option);
         m_paths.emplace(option, path);
-        const auto [other, isNew] = taken.emplace(resolved(path), option);
+        const auto [other, isNew] = taken.emplace(fileKey(path), option);
         if (!isNew && !isDevice(path))
             throw UsageError(other->second + " and " + option + " are the same file");
         m_standardOutput = m_standardOutput || isStandardOutput(path);
@@ -64,14 +54,14 @@ OutputFiles::~OutputFiles()
 
 void OutputFiles::protectInputs(const QString& designPath, const Design& design) const
 {
-    std::map<QString, std::string> inputs = {{resolved(designPath), "the design"}};
+    std::map<QString, std::string> inputs = {{fileKey(designPath), "the design"}};
     const QString folder = QFileInfo(designPath).absolutePath();
     for (const auto& [id, element] : design.elements())
         if (const std::string* file = elementFile(*element))
-            inputs.emplace(resolved(folder + "/" + QString::fromStdString(*file)),
+            inputs.emplace(fileKey(folder + "/" + QString::fromStdString(*file)),
                            "the file \"" + *file + "\" of " + elementLabel(id, *element));
     for (const auto& [option, path] : m_paths)
-        if (const auto input = inputs.find(resolved(path)); input != inputs.end() && QFileInfo(path).isFile())
+        if (const auto input = inputs.find(fileKey(path)); input != inputs.end() && QFileInfo(path).isFile())
             throw UsageError(option + " would overwrite " + input->second);
 }
 

@@ -3,6 +3,7 @@
 #include "FileFormats.h"
 #include "RecentFiles.h"
 #include "Translated.h"
+#include "WholeFile.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -45,11 +46,22 @@ QString FileTalk::proposed(const QString& ending, const QString& addition) const
         .filePath(name + addition + u'.' + ending);
 }
 
+bool FileTalk::isOpenElsewhere(const QString& path) const
+{
+    return endingsOf(FileUse::Design).contains(QFileInfo(path).suffix()) && QFileInfo::exists(path) &&
+           fileKey(path) != fileKey(m_session.path()) && WorkJournal::isWorkedOn(path);
+}
+
 /// A file with one of the endings, the first one if none was typed. Never one of the design's files.
 void FileTalk::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
                             const QStringList& endings, const Answer& chosen)
 {
     askWhereToWrite(m_window, title, proposal, filter, endings, [this, chosen](const QString& path) {
+        if (isOpenElsewhere(path)) {
+            fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
+                 {QT_TRANSLATE_NOOP("Message", "it is open in another window; choose another name")});
+            return;
+        }
         if (!m_session.isElementFile(path)) {
             if (!endingsOf(FileUse::Design).contains(QFileInfo(path).suffix()))
                 m_exported = {m_session.path(), QFileInfo(path).absolutePath()};

@@ -48,6 +48,8 @@ signals:
 
 private:
     QString exportFolder() const;
+    /// A project or design that another window works on.
+    bool isOpenElsewhere(const QString& path) const;
 
     struct Exported {
         QString of; ///< the design's file

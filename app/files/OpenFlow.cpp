@@ -7,6 +7,7 @@
 #include "Rescue.h"
 #include "Samples.h"
 #include "SaveFlow.h"
+#include "WholeFile.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -73,7 +74,7 @@ void OpenFlow::openNow(const QString& path, const Then& opened)
         m_left.restore(*left);
         return;
     }
-    if (original == m_session.path() || !WorkJournal::isWorkedOn(original)) {
+    if (fileKey(original) == fileKey(m_session.path()) || !WorkJournal::isWorkedOn(original)) {
         openAs(path, DesignSession::Opening::ToWork, opened);
         return;
     }

@@ -6,6 +6,7 @@
 #include "Salvage.h"
 #include "SaveFlow.h"
 #include "Translated.h"
+#include "Unfinished.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -30,6 +31,14 @@ QString freePathBeside(const QString& path)
     return free;
 }
 
+/// Who has no room to try it may have some where it will be.
+bool canBeSalvaged(const QString& path, const std::stop_token& stop)
+{
+    const WorkFolder folder;
+    const Salvaged tried = salvageProject(path, folder.filePath(QStringLiteral("tried.bolster")), stop);
+    return tried.problem.empty() || tried.readable;
+}
+
 } // namespace
 
 Rescue::Rescue(FileTalk& talk, SaveFlow& saving)
@@ -37,17 +46,23 @@ Rescue::Rescue(FileTalk& talk, SaveFlow& saving)
     , m_saving(saving)
 {}
 
-/// Designs as text say where they are wrong; there is nothing to salvage. Nor is there in an empty file, or in a sound
-/// project, which cannot be opened where the disk of the journals is full.
+/// Designs as text say where they are wrong; there is nothing to salvage. Nor is there in an empty file, or in a
+/// sound project, which cannot be opened where the disk of the journals is full.
 void Rescue::failToOpen(const QString& path, const Message& problem)
 {
     if (!DesignSession::isProject(path) || !QFileInfo(path).isFile() || QFileInfo(path).size() == 0) {
         offerSalvage(path, problem, false);
         return;
     }
-    inBackground<bool>([path] {
-        return !openProject(path).problem.empty();
-    }).then(this, [this, path, problem](bool damaged) { offerSalvage(path, problem, damaged); });
+    const std::stop_source stop;
+    const auto progress = m_talk.showProgress(
+        tr("Looking for what can be read in \"%1\" \u2026").arg(QFileInfo(path).fileName()), stop);
+    inBackground<bool>([path, token = stop.get_token()] {
+        return !openProject(path).problem.empty() && canBeSalvaged(path, token);
+    }).then(this, [this, path, problem, progress](bool damaged) {
+        closeProgress(progress);
+        offerSalvage(path, problem, damaged);
+    });
 }
 
 void Rescue::offerSalvage(const QString& path, const Message& problem, bool damaged)

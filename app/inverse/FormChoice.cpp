@@ -10,7 +10,7 @@ namespace bolster {
 
 namespace {
 
-const QString fileKey = QStringLiteral("file");
+const QString fileData = QStringLiteral("file");
 
 } // namespace
 
@@ -36,12 +36,12 @@ void FormChoice::fill(const QString& none)
         addItem(QString::fromStdString(scan.name), number(id));
         ++m_scans;
     });
-    addItem(tr("A file \u2026"), fileKey);
+    addItem(tr("A file \u2026"), fileData);
 }
 
 bool FormChoice::fileIsChosen() const
 {
-    return currentData().toString() == fileKey;
+    return currentData().toString() == fileData;
 }
 
 bool FormChoice::asksForFile()

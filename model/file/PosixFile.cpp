@@ -85,10 +85,4 @@ Message protection(const QString& path, const struct stat& present)
     return {};
 }
 
-QString resolved(const QString& path)
-{
-    const QFileInfo info(path);
-    return info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
-}
-
 } // namespace bolster

@@ -55,7 +55,4 @@ Message writeProblem(const QString& path, int error);
 /// Why a file that is there must not be replaced.
 Message protection(const QString& path, const struct stat& present);
 
-/// Where a path leads: links are followed.
-QString resolved(const QString& path);
-
 } // namespace bolster

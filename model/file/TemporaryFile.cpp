@@ -3,6 +3,7 @@
 #include "DiskFile.h"
 #include "PosixFile.h"
 #include "Unfinished.h"
+#include "WholeFile.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>

@@ -5,6 +5,8 @@
 #include "PosixFile.h"
 #include "TemporaryFile.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <cerrno>
 #include <new>
@@ -62,6 +64,8 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
     const bool isDirect = there && !S_ISREG(there->st_mode) && !S_ISDIR(there->st_mode);
     const QString target = isDirect ? path : resolved(path);
     const auto present = statusOf(target);
+    if (!present && QFileInfo(target).isSymLink())
+        return writeProblem(path, ELOOP);
     if (present)
         if (Message problem = protection(target, *present); !problem.empty())
             return problem;
@@ -76,6 +80,24 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
     const DirectWrite direct;
     const int error = writeAll(device, bytes);
     return error ? writeProblem(path, error) : Message{};
+}
+
+QString resolved(const QString& path)
+{
+    constexpr int mostLinks = 40;
+    QFileInfo info(path);
+    for (int k = 0; k < mostLinks && !info.exists() && info.isSymLink(); ++k)
+        info.setFile(info.symLinkTarget()); // to a file that is not there yet
+    return info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+}
+
+QString fileKey(const QString& path)
+{
+    if (const auto there = statusOf(path))
+        return QStringLiteral("%1 %2").arg(there->st_dev).arg(there->st_ino);
+    const QFileInfo file(resolved(path));
+    const QString folder = QFileInfo(file.absolutePath()).canonicalFilePath();
+    return folder.isEmpty() ? file.absoluteFilePath() : folder + u'/' + file.fileName();
 }
 
 } // namespace bolster

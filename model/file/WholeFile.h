@@ -29,4 +29,11 @@ Message copyWholeFile(const QString& from, const QString& to, std::int64_t large
 /// empty message; the old file is untouched then.
 Message replaceWholeFile(const QString& path, std::string_view bytes);
 
+/// Where a path leads: links are followed, also to a file that is not there yet.
+QString resolved(const QString& path);
+
+/// The same for all names of one file: links to it lead there, and what has two names is told by its number. Of
+/// what is not there yet, the place where it will be.
+QString fileKey(const QString& path);
+
 } // namespace bolster

@@ -13,11 +13,14 @@
 #include "RestingCache.h"
 #include "SolverLink.h"
 #include "VersionPane.h"
+#include "WholeFile.h"
 
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QImage>
+#include <QLineEdit>
 #include <QMenu>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -726,6 +729,37 @@ TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
     EXPECT_TRUE(other.windowTitle().contains("(read-only)")) << qPrintable(other.windowTitle());
     EXPECT_FALSE(window.windowTitle().contains("(read-only)")) << qPrintable(window.windowTitle());
     EXPECT_TRUE(other.document().design() == window.document().design());
+}
+
+TEST_F(ProjectFilesTest, AnotherNameOfAFileThatIsOpenElsewhereIsNoWayToTakeIt)
+{
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
+    const QString link = folder.filePath("link.bolster");
+    ASSERT_TRUE(QFile::link(path, link));
+    MainWindow other;
+    other.show();
+    answer(QMessageBox::Cancel);
+    other.open(link);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000)) << "it is the same file";
+
+    const std::string before = readWholeFile(path, 1 << 24).bytes;
+    other.files().saving.saveAs();
+    QFileDialog* files = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
+    QString said;
+    answer(QMessageBox::Yes); // replace it
+    files->findChild<QLineEdit*>()->setText(path);
+    QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
+    whenABoxHas([&](QMessageBox& box) {
+        said = box.informativeText();
+        return box.button(QMessageBox::Ok);
+    });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !said.isEmpty(); }, 10000));
+    EXPECT_TRUE(said.contains("open in another window")) << qPrintable(said);
+    EXPECT_TRUE(other.session().path().isEmpty());
+    EXPECT_TRUE(readWholeFile(path, 1 << 24).bytes == before);
 }
 
 TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)

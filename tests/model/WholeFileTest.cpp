@@ -85,6 +85,30 @@ TEST_F(WholeFileTest, KeepsPermissionsAndLinks)
     EXPECT_EQ(info.st_mode & 0777, 0640u);
 }
 
+TEST_F(WholeFileTest, ALinkToWhatIsNotThereYetLeadsThere)
+{
+    ASSERT_TRUE(QFile::link("later.txt", path("link.txt")));
+    EXPECT_EQ(fileKey(path("link.txt")), fileKey(path("later.txt")));
+    EXPECT_TRUE(replaceWholeFile(path("link.txt"), "new").empty());
+    EXPECT_EQ(read("later.txt"), "new");
+    EXPECT_TRUE(QFileInfo(path("link.txt")).isSymLink());
+    ASSERT_TRUE(QFile::link("loop.txt", path("loop.txt")));
+    EXPECT_FALSE(replaceWholeFile(path("loop.txt"), "new").empty());
+    EXPECT_TRUE(QFileInfo(path("loop.txt")).isSymLink());
+}
+
+TEST_F(WholeFileTest, AllNamesOfAFileHaveOneKey)
+{
+    write("real.txt", "old");
+    write("other.txt", "old");
+    ASSERT_TRUE(QFile::link("real.txt", path("link.txt")));
+    ASSERT_EQ(::link(path("real.txt").toUtf8().constData(), path("second.txt").toUtf8().constData()), 0);
+    EXPECT_EQ(fileKey(path("link.txt")), fileKey(path("real.txt")));
+    EXPECT_EQ(fileKey(path("second.txt")), fileKey(path("real.txt")));
+    EXPECT_NE(fileKey(path("other.txt")), fileKey(path("real.txt")));
+    EXPECT_NE(fileKey(path("none.txt")), fileKey(path("neither.txt")));
+}
+
 TEST_F(WholeFileTest, WritesToDevicesDirectly)
 {
     EXPECT_TRUE(replaceWholeFile("/dev/null", "x").empty());

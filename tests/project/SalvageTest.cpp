@@ -74,6 +74,35 @@ TEST_F(SalvageTest, OfASoundProjectEverythingIsSaved)
     EXPECT_EQ(project.history.node(3).branch, "Third way");
 }
 
+TEST_F(SalvageTest, ADatabaseOfAnotherProgramIsNotCalledDamaged)
+{
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path("other.bolster").toUtf8(), &database), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, "CREATE TABLE t(a); INSERT INTO t VALUES(1)", nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    sqlite3_close(database);
+    const Salvaged result = salvageProject(path("other.bolster"), path("out.bolster"));
+    EXPECT_EQ(result.problem.english(), "\"" + path("other.bolster").toStdString() + "\" is no Bolster project");
+}
+
+/// What was saved stands in it twice.
+TEST_F(SalvageTest, NoSingleBitTakesWhatWasSaved)
+{
+    make(14);
+    const std::string saved = writeDesign(m_document.committed());
+    constexpr std::size_t page = 8192;
+    for (std::size_t at = page / 2; at < m_bytes.size(); at += page) {
+        for (const std::size_t place : {at, at + page / 2 - 100}) {
+            std::string bytes = m_bytes;
+            bytes[place] = static_cast<char>(bytes[place] ^ 1);
+            write("a.bolster", bytes);
+            const OpenedProject project = salvaged();
+            EXPECT_EQ(project.problem.english(), "");
+            EXPECT_EQ(writeDesign(project.design), saved) << "a bit in byte " << place;
+        }
+    }
+}
+
 TEST_F(SalvageTest, ADamagedEditCostsItAndWhatFollowsFromIt)
 {
     make(120);
@@ -87,7 +116,11 @@ TEST_F(SalvageTest, ADamagedEditCostsItAndWhatFollowsFromIt)
         const auto way = m_document.history().pathTo(id);
         sound += std::find(way.begin(), way.end(), bad) == way.end();
     }
-    EXPECT_EQ(project.history.count(), sound);
+    const auto current = m_document.history().pathTo(m_document.history().current());
+    const bool currentFollows = std::find(current.begin(), current.end(), bad) != current.end();
+    ASSERT_TRUE(currentFollows);
+    EXPECT_EQ(project.history.count(), sound + 1) << "what was saved stands there a second time";
+    EXPECT_EQ(writeDesign(project.design), writeDesign(m_document.committed()));
     EXPECT_LT(sound, m_document.history().count());
     EXPECT_GT(sound, bad) << "other branches are there";
     ASSERT_GE(notes.size(), 2u);

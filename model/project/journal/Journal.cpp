@@ -142,6 +142,7 @@ Journal::Opened Journal::createIn(std::shared_ptr<Database> database, const Desi
     NewNode first = firstNode(design);
     first.uid = identity->uids.try_emplace(0, first.uid).first->second;
     putNode(rows, first, {});
+    putSnapshot(rows, 0, design); // a second copy: all other versions begin with it
     rows.close(0);
     transaction.commit();
     return opened(database, std::move(identity)); // the transaction needs it until it has ended

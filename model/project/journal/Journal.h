@@ -133,6 +133,7 @@ private:
     DesignHash m_designHash;
     std::vector<Hash> m_rowHashes;    // of the nodes that are stored
     std::vector<int> m_sinceSnapshot; // edits, by node
+    NodeId m_passingSnapshot = -1;    // only for the last save; -1: none
     std::map<NodeId, NodeId> m_redo;  // as stored: where it is not the newest child
     NodeId m_current = 0;             // as stored, and its design
     Design m_design;

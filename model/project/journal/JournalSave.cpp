@@ -9,7 +9,7 @@
 namespace bolster {
 namespace {
 
-constexpr int editsWorthASnapshot = 100; // before a save
+constexpr int editsWorthASnapshot = 100; // that stays
 
 /// The last rows of a file that was written from a journal.
 void finishFile(const QString& file, const ProjectContents& contents,
@@ -83,6 +83,7 @@ void writeCurrent(Database& from, const ProjectContents& contents, const Design&
     SealedRows rows(to, {});
     putProject(rows, newUid(), std::nullopt);
     putNode(rows, firstNode(design), {});
+    putSnapshot(rows, 0, design); // a second copy
     std::set<std::string> names;
     for (const auto& [id, element] : design.elements())
         if (const std::string* name = elementFile(*element); name && contents.assets.contains(*name))
@@ -135,7 +136,7 @@ Message Journal::save(const QString& path, HistoryMark* held)
         const std::scoped_lock one(m_longWork);
         Moment moment(*m_database);
         removeUnfinishedBlobs(*m_database);
-        snapshotBeforeSave();
+        (void)caught([&] { snapshotBeforeSave(); }); // a full disk of the journal's is no reason not to save
         ProjectContents contents;
         contents.uuid = uuid();
         contents.seal = m_seal;
@@ -201,16 +202,22 @@ Message Journal::saveCopy(const QString& path, const SaveOptions& options)
     });
 }
 
-/// So that the file opens quickly.
+/// A second copy of what is seen: no damage to one place of the file takes all of it, and it opens quickly. That of
+/// the save before goes again, unless many edits lie before it.
 void Journal::snapshotBeforeSave()
 {
-    int& since = m_sinceSnapshot[static_cast<std::size_t>(m_current)];
-    if (since < editsWorthASnapshot)
+    if (Query(*m_database, "SELECT 1 FROM snapshot WHERE node = ?", {Value::integer(m_current)}).next())
         return;
     Step step(*m_database, m_seal);
     putSnapshot(step.rows, m_current, m_design);
+    if (m_passingSnapshot >= 0)
+        step.rows.erase("snapshot", m_passingSnapshot);
     accept(step, m_current);
-    since = 0;
+    int& since = m_sinceSnapshot[static_cast<std::size_t>(m_current)];
+    const bool stays = since >= editsWorthASnapshot;
+    m_passingSnapshot = stays ? -1 : m_current;
+    if (stays)
+        since = 0;
 }
 
 } // namespace bolster

@@ -3,9 +3,11 @@
 
 #include "ProjectRows.h"
 #include "TemporaryFile.h"
+#include "WholeFile.h"
 
 #include <QDir>
 #include <QFileInfo>
+#include <QStorageInfo>
 
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +20,7 @@ using namespace journalFiles;
 
 namespace {
 
+constexpr qint64 leastRoom = 100'000; // bytes
 constexpr int leastDaysInBin = 30;
 int wantedDaysInBin = leastDaysInBin; // of the GUI thread
 constexpr std::chrono::seconds untilOthersHaveLooked(2);
@@ -151,9 +154,9 @@ QList<WorkJournal::Left> WorkJournal::left()
 
 std::optional<WorkJournal::Left> WorkJournal::leftOf(const QString& original)
 {
-    QList<Left> found = leftWhere([&](const About& about, const QString& journal) {
+    QList<Left> found = leftWhere([&, key = fileKey(original)](const About& about, const QString& journal) {
         const QString& known = about.place.original;
-        return known == original || (known.isEmpty() && isOfProject(journal, original));
+        return known.isEmpty() ? isOfProject(journal, original) : fileKey(known) == key;
     });
     if (found.isEmpty())
         return std::nullopt;
@@ -194,10 +197,12 @@ QList<WorkJournal::Left> WorkJournal::damaged()
 bool WorkJournal::isWorkedOn(const QString& original)
 {
     const JournalScan scan;
+    const QString key = fileKey(original);
     const QFileInfoList files = QDir(journals()).entryInfoList({"*.bolster"}, QDir::Files);
     return std::ranges::any_of(files, [&](const QFileInfo& file) {
         const QString base = file.absoluteFilePath().chopped(journalEnding.size());
-        return readAbout(base).place.original == original && !lockOf(base);
+        const QString known = readAbout(base).place.original;
+        return !known.isEmpty() && fileKey(known) == key && !lockOf(base);
     });
 }
 
@@ -206,7 +211,13 @@ WorkJournal::Taken WorkJournal::takeProject(const QString& project)
     const QString base = newBase();
     auto lock = lockOf(base);
     if (!lock)
-        return notTaken({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {journals().toStdString()}});
+        return notTaken(
+            QStorageInfo(journals()).bytesAvailable() < leastRoom
+                ? Message{QT_TRANSLATE_NOOP("Message", "the disk of \"%1\" is full, where work is "
+                                                       "protected from crashes; make room, and open it "
+                                                       "again"),
+                          {journals().toStdString()}}
+                : Message{QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {journals().toStdString()}});
     if (Message problem = writeAboutFile(base, {{project, {}}, false, {}}); !problem.empty())
         return notTaken(std::move(problem));
     Taken result = taken(base, std::move(lock), Journal::begin(project, base + journalEnding));

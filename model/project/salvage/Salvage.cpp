@@ -56,6 +56,16 @@ bool repairHead(const QString& path)
     return file.seek(0) && file.write(page) == pageSize && file.flush();
 }
 
+/// A sound head that says nothing of us.
+bool isOfAnotherProgram(const QString& path)
+{
+    QFile file(path);
+    const QByteArray head = file.open(QIODevice::ReadOnly) ? file.read(fileHeadSize) : QByteArray();
+    const auto isZero = [&](qsizetype at) { return head.mid(at, 4) == QByteArray(4, '\0'); };
+    return head.size() == fileHeadSize && head.startsWith(QByteArray("SQLite format 3", 16)) && isZero(60) &&
+           isZero(68);
+}
+
 Salvaged blamed(const Message& problem)
 {
     return {problem, false, {}};
@@ -114,6 +124,8 @@ Salvaged salvageFile(const QString& damaged, const QString& out, const QString& 
     const QString copy = folder.filePath("damaged");
     if (const Message problem = copyWholeFile(damaged, copy, largestProject); !problem.empty())
         return blamed(problem);
+    if (isOfAnotherProgram(copy))
+        return blamed({QT_TRANSLATE_NOOP("Message", "\"%1\" is no Bolster project"), {damaged.toStdString()}});
     if (!log.isEmpty())
         applyLog(log, copy);
     if (!repairHead(copy))
