@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
+#include <QPushButton>
 #include <QTime>
 
 namespace bolster {

@@ -37,7 +37,8 @@ public:
             return fail(QT_TRANSLATE_NOOP("Message", "the text is UTF-16; save it as UTF-8"));
         skipSpace();
         if (ended())
-            return fail(QT_TRANSLATE_NOOP("Message", "the file is empty; nothing was written to it, or it was lost"));
+            return fail(
+                QT_TRANSLATE_NOOP("Message", "the file is empty; nothing was written to it, or it was lost"));
         if (!value(0))
             return false;
         skipSpace();

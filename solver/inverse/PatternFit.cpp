@@ -503,7 +503,7 @@ FitResult fitPattern(const SolveInput& input, const FitOrder& order,
 }
 
 std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOrder& order, const Design& changed,
-                                        const std::stop_token& stop)
+                                            const std::stop_token& stop)
 {
     WarmOrder warm;
     warm.edgeLength = edgesFor(input.design).back();

@@ -65,7 +65,7 @@ struct MeasuredChange {
 /// What another change of the same pattern comes to, on the same last triangles. Nothing when its cover cannot be
 /// solved, or `stop`.
 std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOrder& order, const Design& changed,
-                                        const std::stop_token& stop = {});
+                                            const std::stop_token& stop = {});
 
 /// How far the control points that an outline's freedoms move have moved, mm; of others their steps.
 double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& values);
