@@ -93,7 +93,8 @@ void Commands::connectAction(QAction* action, const Command& command)
         connect(action, &QAction::toggled, this, command.toggled);
     if (!command.does)
         return;
-    connect(action, &QAction::triggered, this, [this, does = command.does] {
+    connect(action, &QAction::triggered, this, [this, does = command.does, id = command.id] {
+        m_last = QString::fromLatin1(id);
         does();
         for (const Entry& entry : m_entries) // the action has changed its mark, whatever has come of it
             if (entry.command.checked)

@@ -32,6 +32,8 @@ public:
     void fill(QToolBar& bar);
 
     QAction* operator[](const char* id);
+    /// Id of the one that was given last: what it asks for belongs to it.
+    const QString& last() const { return m_last; }
     QList<QAction*> list(std::initializer_list<const char*> ids);
     /// In the order of the tables.
     QList<QAction*> startingWith(const char* beginning) const;
@@ -69,6 +71,7 @@ private:
     static void show(const Entry& entry);
 
     QMainWindow& m_window;
+    QString m_last;
     std::vector<Entry> m_entries;
     std::vector<Placed> m_placed;
     QHash<QByteArray, QAction*> m_actions;

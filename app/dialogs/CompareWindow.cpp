@@ -18,6 +18,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QShortcut>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -58,6 +59,13 @@ CompareWindow::CompareWindow(Document& document, FilesOf filesOf, FabricLink& fa
     layOut();
     tieViews(*m_left, *m_right);
     tieViews(*m_right, *m_left);
+    for (VersionPane* pane : {m_left, m_right})
+        connect(pane, &VersionPane::coverCame, this, [this] {
+            if (!m_together->isChecked())
+                return;
+            m_left->fitCover(m_right->box());
+            m_right->fitCover(m_left->box());
+        });
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, &CompareWindow::selectionChanged);
     connect(m_take, &QPushButton::clicked, this, &CompareWindow::takeChosen);
     connect(&document, &Document::historyChanged, this, [this] {
@@ -114,8 +122,9 @@ bool CompareWindow::compareWith(NodeId node)
     const std::optional<Design> other = m_document.history().designAt(node, m_document.committed());
     if (!other)
         return false;
-    m_other = *other;
-    m_left->setVersion(titleOf(node), m_other, m_filesOf(m_other));
+    m_original = *other;
+    m_title = titleOf(node);
+    m_other = {};
     refresh();
     bakeFabrics();
     return true;
@@ -148,6 +157,10 @@ QString CompareWindow::titleOf(NodeId node) const
 
 void CompareWindow::refresh()
 {
+    if (Design apart = numberedApart(m_document.committed(), m_original); !(apart == m_other)) {
+        m_other = std::move(apart);
+        m_left->setVersion(m_title, m_other, m_filesOf(m_other));
+    }
     m_right->setVersion(tr("Now"), m_document.committed(), m_filesOf(m_document.committed()));
     m_right->setFabrics(m_fabrics.maps());
     fillList();
@@ -198,8 +211,22 @@ std::set<ElementId> CompareWindow::chosen() const
     return ids;
 }
 
+/// Elements are taken whole: whoever chooses one of their values sees what goes with it.
+void CompareWindow::chooseWhole()
+{
+    const QSignalBlocker quiet(m_list);
+    for (const QTreeWidgetItem* item : m_list->selectedItems())
+        if (QTreeWidgetItem* whole = item->parent())
+            whole->setSelected(true);
+    for (int row = 0; row < m_list->topLevelItemCount(); ++row)
+        for (int child = 0; child < m_list->topLevelItem(row)->childCount(); ++child)
+            m_list->topLevelItem(row)->child(child)->setSelected(m_list->topLevelItem(row)->isSelected());
+    m_list->viewport()->update();
+}
+
 void CompareWindow::selectionChanged()
 {
+    chooseWhole();
     const std::set<ElementId> ids = chosen();
     m_take->setEnabled(!ids.empty());
     for (VersionPane* pane : {m_left, m_right}) {

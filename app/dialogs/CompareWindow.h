@@ -46,6 +46,7 @@ private:
     void refresh();
     void bakeFabrics();
     void fillList();
+    void chooseWhole();
     void selectionChanged();
     void takeChosen();
     QString titleOf(NodeId node) const;
@@ -54,7 +55,9 @@ private:
     Document& m_document;
     FilesOf m_filesOf;
     FabricLink& m_fabrics;
-    Design m_other;
+    QString m_title;   ///< of the other version
+    Design m_original; ///< as it was
+    Design m_other;    ///< the same, in which a number is that of one thing (numberedApart)
     VersionPane* m_left;
     VersionPane* m_right;
     QTreeWidget* m_list;

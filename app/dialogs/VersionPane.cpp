@@ -86,8 +86,20 @@ void VersionPane::showSurface(const SurfaceMeshPtr& surface)
     m_coverView->shown().setSurface(surface);
     m_pattern->shown().setSurface(surface);
     m_covers->setSurface(surface);
-    if (surface && std::exchange(m_fitCover, false))
-        m_coverView->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
+    if (surface && std::exchange(m_fitCover, false)) {
+        fitCover({});
+        emit coverCame();
+    }
+}
+
+void VersionPane::fitCover(const Box3& with)
+{
+    m_coverView->navigation().setStandardView(CoverView::StandardView::ThreeQuarter, with);
+}
+
+Box3 VersionPane::box() const
+{
+    return m_coverView->shown().empty() ? Box3() : m_coverView->shown().scene().box;
 }
 
 void VersionPane::showState()

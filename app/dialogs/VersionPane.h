@@ -46,6 +46,14 @@ public:
     Selection& selection() { return m_selection; }
     CoverView& coverView() { return *m_coverView; }
     PatternView& pattern() { return *m_pattern; }
+    /// All that is shown in 3D, mm; empty when nothing is.
+    Box3 box() const;
+    /// So that this is seen, too.
+    void fitCover(const Box3& with);
+
+signals:
+    /// The first one of this version; it is seen whole.
+    void coverCame();
 
 protected:
     bool eventFilter(QObject* view, QEvent* event) override;

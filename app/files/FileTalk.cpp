@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QSettings>
 
 namespace bolster {
 
@@ -18,6 +19,17 @@ FileTalk::FileTalk(DesignSession& session, QWidget* window)
 QString FileTalk::startFolder() const
 {
     return usualFolder(m_session.path());
+}
+
+void FileTalk::askForImport(const QString& kind, const QString& title, const QString& filter, const Answer& chosen)
+{
+    const QString key = QStringLiteral("import-folder/") + kind;
+    const QString last = QSettings().value(key).toString();
+    askForFile(m_window, title, QFileInfo(last).isDir() ? last : startFolder(), filter,
+               [key, chosen](const QString& path) {
+                   QSettings().setValue(key, QFileInfo(path).absolutePath());
+                   chosen(path);
+               });
 }
 
 /// The title without the ending of its file.

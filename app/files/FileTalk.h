@@ -34,6 +34,8 @@ public:
     QString designName() const;
     /// The folder of files that are read.
     QString startFolder() const;
+    /// Asks for a file to bring in, where the last one of its kind was.
+    void askForImport(const QString& kind, const QString& title, const QString& filter, const Answer& chosen);
     /// The title as a file in the usual folder.
     QString proposed(const QString& ending, const QString& addition = {}) const;
     /// A file with one of the endings, the first one if none was typed. Never one of the design's files.

@@ -32,6 +32,8 @@ Element withoutParts(Element element, const FileContent& content, const std::vec
     return element;
 }
 
+const QString frameKind = QStringLiteral("frame"), scanKind = QStringLiteral("scan"); // of folders
+
 QString meshFilter()
 {
     return ImportFlow::tr("Frames (%1)").arg(patternsOf(FileUse::Frame));
@@ -64,9 +66,9 @@ void ImportFlow::importScan(const QString& path)
 void ImportFlow::importPattern(const QString& path)
 {
     if (path.isEmpty()) {
-        askForFile(m_talk.window(), tr("Import pattern"), m_talk.startFolder(),
-                   tr("Patterns (%1)").arg(patternsOf(FileUse::Pattern)),
-                   [this](const QString& file) { importPattern(file); });
+        m_talk.askForImport(QStringLiteral("pattern"), tr("Import pattern"),
+                            tr("Patterns (%1)").arg(patternsOf(FileUse::Pattern)),
+                            [this](const QString& file) { importPattern(file); });
         return;
     }
     withProgress<ImportedDrawing>(
@@ -85,9 +87,10 @@ void ImportFlow::replaceFile(ElementId id)
     const ElementPtr element = m_session.document().design().element(id);
     if (!element || !elementPlacement(*element))
         return;
-    const QString filter = fileKind(*element) == FileKind::Mesh ? meshFilter() : scanFilter();
-    askForFile(m_talk.window(), tr("Choose another file"), m_talk.startFolder(), filter,
-               [this, element, id](const QString& file) { importNow(file, *element, id); });
+    const bool isFrame = fileKind(*element) == FileKind::Mesh;
+    m_talk.askForImport(isFrame ? frameKind : scanKind, tr("Choose another file"),
+                        isFrame ? meshFilter() : scanFilter(),
+                        [this, element, id](const QString& file) { importNow(file, *element, id); });
 }
 
 /// A new element like `element`, named after its file.
@@ -100,7 +103,7 @@ void ImportFlow::import(const T& element, const QString& title, const QString& f
         importNow(file, std::move(named), {});
     };
     if (path.isEmpty())
-        askForFile(m_talk.window(), title, m_talk.startFolder(), filter, take);
+        m_talk.askForImport(fileKind(element) == FileKind::Mesh ? frameKind : scanKind, title, filter, take);
     else
         take(path);
 }

@@ -111,16 +111,19 @@ public:
                        const QWidget* widget) const override
     {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
-        if (element != PE_IndicatorCheckBox)
-            return;
-        QColor border = option->palette.color(QPalette::WindowText);
-        border.setAlphaF(option->state & State_Enabled ? 0.45F : 0.2F);
-        painter->save();
-        painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(border);
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
-        painter->restore();
+        if (element == PE_IndicatorCheckBox)
+            drawBorder(*option, *painter, 0.45F);
+        else if (element == PE_FrameLineEdit || element == PE_PanelButtonCommand)
+            drawBorder(*option, *painter, strengthIn(option->palette));
+    }
+
+    /// The same of fields.
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override
+    {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (control == CC_SpinBox || control == CC_ComboBox)
+            drawBorder(*option, *painter, strengthIn(option->palette));
     }
 
     /// Fusion's pictures on the buttons of dialogs are black.
@@ -140,6 +143,28 @@ public:
     {
         return pixmap == SP_ToolBarHorizontalExtensionButton ? icon(QStringLiteral("more"))
                                                              : QProxyStyle::standardIcon(pixmap, option, widget);
+    }
+
+private:
+    /// 0 in a light window.
+    static float strengthIn(const QPalette& palette)
+    {
+        const int lightness = palette.color(QPalette::Window).lightness();
+        return lightness > 128 ? 0 : lightness < 16 ? 0.8F : 0.22F;
+    }
+
+    static void drawBorder(const QStyleOption& option, QPainter& painter, float strength)
+    {
+        if (!(strength > 0))
+            return;
+        QColor border = option.palette.color(QPalette::WindowText);
+        border.setAlphaF(option.state & State_Enabled ? strength : 0.45F * strength);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(border);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        painter.restore();
     }
 };
 

@@ -207,6 +207,12 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     if (const OpenedProject& project = opened.journal.project; opened.journal.journal) {
         m_document.reset(design, project.history);
         m_document.setHeld(opened.journal.held);
+        inBackground<ElementId>([project] {
+            return largestIdEver(project);
+        }).then(this, [this, generation = m_generation](ElementId largest) {
+            if (generation == m_generation)
+                m_document.spendIds(largest);
+        });
     } else {
         m_document.reset(design);
     }

@@ -57,9 +57,14 @@ ElementPtr Design::element(ElementId id) const
     return found == m_elements->end() ? nullptr : found->second;
 }
 
+ElementId Design::largestId() const
+{
+    return m_elements->empty() ? noElement : m_elements->rbegin()->first;
+}
+
 ElementId Design::nextId() const
 {
-    const std::int32_t largest = m_elements->empty() ? 0 : number(m_elements->rbegin()->first);
+    const std::int32_t largest = std::max(number(largestId()), m_spent);
     if (largest < largestElementId)
         return ElementId{largest + 1};
     std::int32_t free = 1; // only files that use the largest id come here

@@ -3,6 +3,8 @@
 
 #include "Edit.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <set>
@@ -45,8 +47,12 @@ public:
         return found;
     }
 
-    /// A free id, larger than all others.
+    /// A free id, larger than all others and than those that are spent.
     ElementId nextId() const;
+    /// Up to this one `nextId` gives none any more, here and in what is made of this: other branches have given
+    /// them to other things. No part of the content.
+    void spendIds(ElementId upTo) { m_spent = std::max(m_spent, number(upTo)); }
+    ElementId largestId() const;
     /// The design after the edit. `before` is not looked at.
     Design with(const Edit& edit) const&;
     /// The same without a copy of the elements' table if nobody else has it: for edits made step by step.
@@ -61,6 +67,7 @@ private:
 
     ElementPtr m_settings;
     std::shared_ptr<const Elements> m_elements; // made as one that can be changed
+    std::int32_t m_spent = 0;
 };
 
 /// The ids in which two designs differ, settings included. Elements are compared by pointer, then by value.

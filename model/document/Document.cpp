@@ -3,6 +3,7 @@
 #include "FollowEdits.h"
 #include "Gesture.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace bolster {
@@ -33,7 +34,8 @@ void Document::begin(Design design, History history, bool project)
     m_history = std::move(history);
     m_held = {m_history.mark(), !project};
     m_names = m_held.mark.names;
-    m_base = std::move(design);
+    m_spent = noElement;
+    setBase(std::move(design));
     show(m_base);
     emit historyReplaced();
     emit historyChanged();
@@ -59,7 +61,7 @@ void Document::commit(Edit edit)
         return;
     }
     m_history.append(std::move(edit));
-    m_base = std::move(next);
+    setBase(std::move(next));
     show(m_base);
     emit historyChanged();
     announceDirty();
@@ -75,6 +77,19 @@ void Document::commit(edits::Outcome outcome)
     commit(std::move(outcome.edit));
     if (!outcome.dropped.empty() && m_history.current() != node)
         emit dropped(before, outcome.dropped);
+}
+
+void Document::spendIds(ElementId upTo)
+{
+    m_spent = std::max(m_spent, upTo);
+    m_base.spendIds(m_spent);
+    m_design.spendIds(m_spent);
+}
+
+void Document::setBase(Design design)
+{
+    m_base = std::move(design);
+    spendIds(m_base.largestId());
 }
 
 void Document::undo()
@@ -103,7 +118,7 @@ void Document::jumpTo(NodeId node)
     std::optional<Design> there = m_history.moveTo(node, m_base);
     if (!there)
         return;
-    m_base = std::move(*there);
+    setBase(std::move(*there));
     show(m_base);
     emit historyChanged();
     announceDirty();

@@ -52,6 +52,9 @@ public:
     /// Versions that somebody else has made: History::takeIn. Whoever stores the history has them already.
     void takeIn(std::vector<History::Node> nodes, std::shared_ptr<StoredEdits> edits);
     /// A label in the history, "" for none. The design stays as it is.
+    /// New elements get larger ids than this, as they do than all that were seen: an id stands for one thing in all
+    /// branches.
+    void spendIds(ElementId upTo);
     void nameVersion(NodeId node, std::string name);
     /// The same for the branch that begins with `node`.
     void nameBranch(NodeId node, std::string name);
@@ -105,11 +108,13 @@ signals:
 private:
     friend class Gesture;
     void begin(Design design, History history, bool project);
+    void setBase(Design design);
     void show(Design design);
     void namesChanged();
     void announceDirty();
 
     Design m_base;
+    ElementId m_spent{};
     Design m_design; // m_base, or with the running gesture's edit
     std::uint64_t m_revision = 0;
     History m_history;

@@ -6,6 +6,7 @@
 #include "References.h"
 
 #include <algorithm>
+#include <map>
 
 namespace bolster {
 
@@ -138,6 +139,29 @@ std::vector<Difference> differencesBetween(const Design& a, const Design& b)
         found.push_back(std::move(difference));
     }
     return found;
+}
+
+Design numberedApart(const Design& design, const Design& other)
+{
+    std::map<ElementId, ElementId> moved;
+    std::int32_t next = std::max(number(design.nextId()), number(other.nextId()));
+    for (const auto& [id, element] : other.elements())
+        if (const ElementPtr here = design.element(id); here && here->index() != element->index())
+            moved[id] = ElementId{next++};
+    if (moved.empty())
+        return other;
+    edits::EditBuilder builder(other);
+    const auto idFor = [&](const Reference& reference) {
+        const auto found = moved.find(reference.id);
+        return found == moved.end() ? reference.id : found->second;
+    };
+    for (const auto& [id, element] : other.elements()) {
+        const auto found = moved.find(id);
+        if (found != moved.end())
+            builder.set(id, nullptr);
+        builder.set(found == moved.end() ? id : found->second, makeElement(renumbered(*element, idFor)));
+    }
+    return builder.now();
 }
 
 namespace edits {

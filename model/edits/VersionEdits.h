@@ -29,6 +29,10 @@ struct Difference {
 /// From `a` to `b`, by element; the settings come first.
 std::vector<Difference> differencesBetween(const Design& a, const Design& b);
 
+/// The other version, in which what has the number of another kind of thing in `design` has a number of its own:
+/// branches may have given the same one to both.
+Design numberedApart(const Design& design, const Design& other);
+
 namespace edits {
 
 /// Makes the elements as they are in the other version: changed, added or removed. What the added ones refer to

@@ -177,6 +177,15 @@ std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId n
     }
 }
 
+ElementId largestIdEver(const OpenedProject& project)
+{
+    ElementId largest = noElement;
+    for (NodeId node = 0; node < project.history.count(); ++node)
+        if (const auto changes = storedChanges(project, node); changes && !changes->empty())
+            largest = std::max(largest, changes->back().element); // they are sorted by it
+    return largest;
+}
+
 Message extractAllAssets(const OpenedProject& project, const QString& folder)
 {
     for (const auto& [name, blob] : project.assets)

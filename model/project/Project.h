@@ -73,6 +73,9 @@ OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck
 /// What the edit of a node changes, as it is stored; nothing when it cannot be read.
 std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId node);
 
+/// The largest id that any version gives to anything. Looks at all edits: with many of them it takes a while.
+ElementId largestIdEver(const OpenedProject& project);
+
 /// Writes all assets below this folder, which is made if it isn't there. Nothing when one of the files is there
 /// already; stops at the first that fails.
 Message extractAllAssets(const OpenedProject& project, const QString& folder);

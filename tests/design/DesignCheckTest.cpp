@@ -264,6 +264,12 @@ INSTANTIATE_TEST_SUITE_P(
                  p.seam.b = {ElementId{3}, 3, 0.25};
              },
              6, "b", "6.25", Severity::Warning},
+        Rule{"EaseTheOtherWay",
+             [](Parts& p) {
+                 p.seam.b = {ElementId{3}, 3, 0.25};
+                 p.seam.ease = -30; // the second side is the longer one
+             },
+             6, "b", "6.25", Severity::Warning},
         Rule{"FrameFile", [](Parts& p) { p.frame.file = "../chair.obj"; }, 7, "file", "folder"},
         Rule{"FramePosition", [](Parts& p) { p.frame.position.z() = nan; }, 7, "position", "NaN"},
         Rule{"HandlePatch", [](Parts& p) { p.handle.patch = ElementId{4}; }, 8, "patch", "is no patch"},
@@ -297,6 +303,15 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"ScanCut", [](Parts& p) { p.scan.cuts[0].halfSpaces[0].normal.setZero(); }, 12, "cuts[0].planes[0]",
              "normal"}),
     [](const auto& parameter) { return parameter.param.name; });
+
+TEST(DesignCheck, EaseThatIsWantedIsNoWarning)
+{
+    Parts parts;
+    parts.seam.b = {ElementId{3}, 3, 0.25};
+    EXPECT_EQ(checkDesign(parts.design()).size(), 1u);
+    parts.seam.ease = 30;
+    EXPECT_TRUE(checkDesign(parts.design()).empty());
+}
 
 TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
 {

@@ -59,6 +59,31 @@ TEST(VersionEdits, TellWhatDiffersByElementAndField)
     EXPECT_EQ(differencesBetween(c, a)[0].kind, Difference::Kind::Added);
 }
 
+/// Two branches have given one number to a seam and to a frame.
+TEST(VersionEdits, WhatOnlySharesItsNumberIsAnotherThing)
+{
+    const Design other = twoPatches();
+    const Design design = [&] {
+        const Design bare = other.with(edits::removeElements(other, std::array{sewn}));
+        Frame chair;
+        chair.name = "Chair";
+        chair.file = "chair.obj";
+        return bare.with({{}, {{sewn, nullptr, makeElement(chair)}}});
+    }();
+    const Design apart = numberedApart(design, other);
+    EXPECT_TRUE(numberedApart(design, design) == design);
+    const auto found = differencesBetween(apart, design);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].element, sewn);
+    EXPECT_EQ(found[0].kind, Difference::Kind::Added);
+    EXPECT_EQ(found[1].kind, Difference::Kind::Removed);
+    const Design now = design.with(edits::takeFrom(design, apart, {found[1].element}));
+    EXPECT_TRUE(now.find<Frame>(sewn)) << "nobody has asked to take it away";
+    EXPECT_TRUE(now.find<Seam>(found[1].element));
+    const Design without = design.with(edits::takeFrom(design, apart, {sewn}));
+    EXPECT_FALSE(without.element(sewn));
+}
+
 TEST(VersionEdits, ATakenPatchBringsWhatLiesOnIt)
 {
     const Design other = twoPatches();

@@ -101,6 +101,28 @@ private:
     int m_count = 0;
 };
 
+/// Who compares versions or takes parts from one relies on it.
+TEST(Document, AnIdStandsForOneThingInAllBranches)
+{
+    Document document;
+    const ElementId first = document.design().nextId();
+    document.commit({{"Add", {}}, {{first, nullptr, makeElement(Fabric{.name = "Red"})}}});
+    document.undo();
+    EXPECT_FALSE(document.design().element(first));
+    const ElementId second = document.design().nextId();
+    EXPECT_GT(second, first);
+    {
+        Gesture gesture(document);
+        EXPECT_EQ(document.design().nextId(), second);
+    }
+    document.commit({{"Add", {}}, {{second, nullptr, makeElement(Fabric{.name = "Blue"})}}});
+    EXPECT_GT(document.committed().nextId(), second);
+    document.spendIds(ElementId{100});
+    EXPECT_EQ(document.design().nextId(), ElementId{101});
+    document.reset(Design());
+    EXPECT_EQ(document.design().nextId(), first);
+}
+
 TEST(Document, CommitsAndUndoes)
 {
     Document document;

@@ -95,6 +95,24 @@ TEST_F(JournalTest, EverythingComesBackWhenItIsOpenedAgain)
     expectSameVersions(opened.project, document);
 }
 
+TEST_F(JournalTest, IdsOfOtherBranchesAreKnownAndTheFirstVersionKeepsItsTime)
+{
+    constexpr std::int64_t began = 1'700'000'000'000;
+    Document document;
+    const auto created = Journal::create(path("journal"), document.committed(), nullptr, began);
+    ASSERT_TRUE(created.journal);
+    const ElementId elsewhere{42};
+    document.commit({{"Add", {}}, {{elsewhere, nullptr, makeElement(Fabric{})}}});
+    document.undo();
+    document.commit({{"Add", {}}, {{ElementId{7}, nullptr, makeElement(Fabric{})}}});
+    expectFine(created.journal->record(document.history(), document.committed()));
+    expectFine(created.journal->save(path("a.bolster")));
+    const OpenedProject project = openProject(path("a.bolster"));
+    ASSERT_EQ(project.problem.english(), "");
+    EXPECT_EQ(largestIdEver(project), elsewhere);
+    EXPECT_EQ(project.history.node(0).time.toMSecsSinceEpoch(), began);
+}
+
 TEST_F(JournalTest, NamesOfBranchesAreThereAfterUndoAndReopening)
 {
     Document document;

@@ -108,6 +108,7 @@ protected:
             ::_exit(1);
         Document document;
         document.reset(opened.project.design, opened.project.history);
+        document.spendIds(largestIdEver(opened.project));
         for (;;) {
             m_hands.step(document);
             if (!opened.journal->record(document.history(), document.committed()).empty())

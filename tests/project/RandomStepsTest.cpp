@@ -90,6 +90,7 @@ TEST_P(RandomStepsOnDisk, TheHashIsThatOfTheReplayAfterReopeningToo)
                 opened = Journal::open(file);
                 ASSERT_TRUE(opened.journal) << opened.project.problem.english();
                 document.reset(opened.project.design, opened.project.history);
+                document.spendIds(largestIdEver(opened.project));
             }
             ASSERT_EQ(hashOf(document.committed()), replay.now(kept.history())) << seed << " " << i;
             ASSERT_EQ(historyText(document.history(), false), historyText(kept.history(), false));

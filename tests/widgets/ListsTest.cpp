@@ -391,6 +391,24 @@ TEST(NumberBox, TakesPointAndCommaInAnyLanguage)
     }
 }
 
+TEST(NumberBox, TakesItsUnitAsItIsTyped)
+{
+    NumberBox angle({QStringLiteral("\u00b0"), 1, -360, 360, 5});
+    NumberBox share({QStringLiteral(" %"), 1, 0, 100, 1});
+    for (NumberBox* box : {&angle, &share})
+        for (const QString& text : {QStringLiteral("30"), "30" + box->suffix(), "30 " + box->suffix().trimmed()}) {
+            box->display(0);
+            box->selectAll();
+            QTest::keyClicks(box, text);
+            QTest::keyClick(box, Qt::Key_Return);
+            EXPECT_DOUBLE_EQ(box->value(), 30) << text.toStdString();
+        }
+    angle.selectAll();
+    QTest::keyClicks(&angle, "45 deg");
+    QTest::keyClick(&angle, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(angle.value(), 45);
+}
+
 TEST(NumberBox, ReadsGroupedDigitsAsTheLanguageWritesThem)
 {
     const auto typed = [](const char* language, const char* text) {

@@ -159,7 +159,7 @@ QString seamSummary(const Design& design, const Seam& seam)
     if (!(a > 0) || !(b > 0))
         return {};
     return QCoreApplication::translate("ElementText", "%1 and %2, ease %3")
-        .arg(lengthText(a), lengthText(b), percentText(std::max(a, b) / std::min(a, b) - 1));
+        .arg(lengthText(a), lengthText(b), percentText((b - a) / std::min(a, b)));
 }
 
 } // namespace bolster

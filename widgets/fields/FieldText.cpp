@@ -133,10 +133,10 @@ public:
     }
 
     template <class Form, class Value>
-    void field(const Field& f, const Form& form, const Value&)
+    void field(const Field& f, const Form& form, const Value& usual)
     {
         if (isIt(f))
-            m_text = m_value.isNull() ? withoutText(f) : valueText(form, Value{});
+            m_text = m_value.isNull() ? usualText(f, form, usual) : valueText(form, Value{});
     }
     template <class T>
     void group(const Field& f, const T&)
@@ -194,6 +194,22 @@ private:
     static QString withoutText(const Field& f)
     {
         return *f.without ? QCoreApplication::translate("Field", f.without) : FieldWords::tr("usual");
+    }
+
+    /// What is not in the text is as it usually is, which is a value as any other.
+    template <class Form, class Value>
+    QString usualText(const Field& f, const Form& form, const Value& usual)
+    {
+        if constexpr (std::is_same_v<Form, Words>) {
+            if (const auto word = static_cast<std::size_t>(usual); !*f.without && word < form.labels.size())
+                return QCoreApplication::translate("Field", form.labels[word]);
+        } else if constexpr (std::is_arithmetic_v<Value>) {
+            if (!*f.without) {
+                m_value = usual;
+                return valueText(form, usual);
+            }
+        }
+        return withoutText(f);
     }
 
     template <class Form, class Value>

@@ -289,9 +289,18 @@ QString NumberBox::refusal(const QString& text) const
 QString NumberBox::withoutUnit(const QString& text) const
 {
     QString written = text.trimmed();
-    if (const QString unit = shownUnit().trimmed(); !unit.isEmpty() && written.endsWith(unit))
-        written.chop(unit.size());
-    return written.trimmed();
+    const QString unit = shownUnit().trimmed();
+    const QStringList asTyped =
+        unit == QStringLiteral("\u00b0") ? QStringList{unit, QStringLiteral("deg")} : QStringList{unit};
+    for (bool found = !unit.isEmpty(); found;) { // whoever types it has it twice: it stands there already
+        found = false;
+        for (const QString& ending : asTyped)
+            if (written.endsWith(ending)) {
+                written = written.chopped(ending.size()).trimmed();
+                found = true;
+            }
+    }
+    return written;
 }
 
 std::optional<double> NumberBox::numberIn(const QString& text) const

@@ -20,9 +20,8 @@ void SeamForm::add(PropertyForm& form, const Ids& ids) const
     seam.info(tr("Ease"), [](const Design& design, const Seam& s) {
         const double a = stretchLength(design, s.a);
         const double b = stretchLength(design, s.b);
-        return a > 0 && b > 0
-                   ? tr("%1, %2").arg(lengthText(std::abs(a - b)), percentText(std::max(a, b) / std::min(a, b) - 1))
-                   : QString();
+        return a > 0 && b > 0 ? tr("%1, %2").arg(lengthText(b - a), percentText((b - a) / std::min(a, b)))
+                              : QString();
     });
     seam.field(&Seam::ease);
     seam.field(&Seam::zip);

@@ -98,7 +98,7 @@ double SeamsModel::lengthOf(const Stretch& stretch) const
 const SeamEase& SeamsModel::easeOf(const Row& row) const
 {
     if (!row.ease)
-        row.ease = SeamEase{lengthOf(seam(row).a), lengthOf(seam(row).b)};
+        row.ease = SeamEase{lengthOf(seam(row).a), lengthOf(seam(row).b), seam(row).ease};
     return *row.ease;
 }
 

@@ -31,7 +31,7 @@ double SeamEase::ratio() const
 
 bool SeamEase::puckers() const
 {
-    return std::abs(ratio()) > mostEase;
+    return known() && std::abs(difference() - wanted) > mostEase * std::min(a, b);
 }
 
 QString SeamEase::differenceText() const
@@ -48,7 +48,7 @@ QString SeamEase::ratioText() const
 
 SeamEase seamEaseOf(const Design& design, const Seam& seam)
 {
-    return {stretchLength(design, seam.a), stretchLength(design, seam.b)};
+    return {stretchLength(design, seam.a), stretchLength(design, seam.b), seam.ease};
 }
 
 } // namespace bolster

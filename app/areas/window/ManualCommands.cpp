@@ -12,8 +12,11 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QDockWidget>
+#include <QFileDialog>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QTabBar>
 
 namespace bolster {
 
@@ -47,7 +50,8 @@ bool ManualCommands::eventFilter(QObject* watched, QEvent* event)
         open(place);
         return true;
     }
-    if (!qobject_cast<QDialog*>(QApplication::activeWindow()))
+    const QWidget* active = QApplication::activeWindow();
+    if (!active || active == &m_window || qobject_cast<const ManualWindow*>(active))
         return false;
     open(placeNow());
     return true;
@@ -72,6 +76,9 @@ bool ManualCommands::isOfPatternAlone(const QString& tool)
 QString ManualCommands::placeNow() const
 {
     const QWidget* focus = QApplication::focusWidget();
+    if (qobject_cast<QFileDialog*>(QApplication::activeWindow()))
+        if (const QString place = m_places.ofCommand(m_commands.last()); !place.isEmpty())
+            return place;
     // Nobody types into the state line: who points at its sentence asks for that.
     const QWidget* pointedAt = QApplication::widgetAt(QCursor::pos());
     const auto* line = m_window.findChild<StatusLine*>();
@@ -80,6 +87,12 @@ QString ManualCommands::placeNow() const
             const QString place = m_places.ofMessage(line->solverKey());
             return place.isEmpty() ? m_places.ofWidget(line) : place;
         }
+    if (const auto* tabs =
+            qobject_cast<const QTabBar*>(pointedAt)) // a click on a tab leaves the keyboard where it was
+        for (const auto* dock : m_window.findChildren<QDockWidget*>())
+            if (dock->windowTitle() == tabs->tabText(tabs->tabAt(tabs->mapFromGlobal(QCursor::pos()))))
+                if (const QString place = m_places.ofWidget(dock->widget()); !place.isEmpty())
+                    return place;
     if (const auto* problems = qobject_cast<const ProblemsView*>(focus))
         if (const QString place = m_places.ofMessage(problems->currentKey()); !place.isEmpty())
             return place;

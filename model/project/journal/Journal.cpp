@@ -98,7 +98,7 @@ Journal::~Journal()
     m_database->close();
 }
 
-Journal::Opened Journal::create(const QString& path, const Design& design, const char* vfs)
+Journal::Opened Journal::create(const QString& path, const Design& design, const char* vfs, std::int64_t began)
 {
     if (!vfs && QFileInfo::exists(path))
         return failed(path, QT_TRANSLATE_NOOP("Message", "there is a file \"%1\" already"));
@@ -107,7 +107,9 @@ Journal::Opened Journal::create(const QString& path, const Design& design, const
     return guardedOpen([&] {
         auto database = std::make_shared<Database>(path, Database::Access::Working, vfs);
         prepareForWork(*database);
-        return createIn(std::move(database), design, newIdentity());
+        auto identity = newIdentity();
+        identity->began = began;
+        return createIn(std::move(database), design, std::move(identity));
     });
 }
 
@@ -141,6 +143,8 @@ Journal::Opened Journal::createIn(std::shared_ptr<Database> database, const Desi
     putProject(rows, identity->uuid, std::nullopt);
     NewNode first = firstNode(design);
     first.uid = identity->uids.try_emplace(0, first.uid).first->second;
+    if (identity->began > 0)
+        first.at = identity->began;
     putNode(rows, first, {});
     putSnapshot(rows, 0, design); // a second copy: all other versions begin with it
     rows.close(0);

@@ -31,10 +31,13 @@ public:
     struct Identity {
         std::string uuid;
         std::map<NodeId, std::string> uids; ///< of nodes that are not stored yet
+        std::int64_t began = 0;             ///< when the first version was made, ms since 1970 UTC; 0: now
     };
 
-    /// That of a new project; there must be no such file. `vfs` is for tests that simulate disks.
-    static Opened create(const QString& path, const Design& design, const char* vfs = nullptr);
+    /// That of a new project; there must be no such file. `vfs` is for tests that simulate disks; `began` as of an
+    /// identity.
+    static Opened create(const QString& path, const Design& design, const char* vfs = nullptr,
+                         std::int64_t began = 0);
     /// The same with a known name.
     static Opened create(const QString& path, const Design& design, std::shared_ptr<Identity> identity);
     /// For a project that has no journal yet, because its disk takes nothing: as standIn().

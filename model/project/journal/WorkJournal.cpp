@@ -121,7 +121,9 @@ Message WorkJournal::prepare()
     if (Message problem = writeAbout(); !problem.empty())
         return problem;
     const QString path = m_base + journalEnding;
-    Journal::Opened opened = m_identity ? Journal::create(path, m_root, m_identity) : Journal::create(path, m_root);
+    const std::int64_t began = m_document.history().node(0).time.toMSecsSinceEpoch();
+    Journal::Opened opened =
+        m_identity ? Journal::create(path, m_root, m_identity) : Journal::create(path, m_root, nullptr, began);
     m_journal = std::move(opened.journal);
     if (!m_journal)
         removeJournal(m_base); // half of one would be taken for work
@@ -216,7 +218,8 @@ WorkJournal::StandIn::~StandIn() = default;
 std::function<std::shared_ptr<WorkJournal::StandIn>(const QString& target)> WorkJournal::standIns()
 {
     if (!m_journal && !m_identity)
-        m_identity = std::make_shared<Journal::Identity>(Journal::Identity{newUid(), {}});
+        m_identity = std::make_shared<Journal::Identity>(
+            Journal::Identity{newUid(), {}, m_document.history().node(0).time.toMSecsSinceEpoch()});
     return [journal = m_journal, root = m_root, identity = m_identity, base = m_savedSeal](const QString& target) {
         auto made = std::make_shared<StandIn>();
         made->file = std::make_unique<TemporaryFile>(target);

@@ -104,7 +104,7 @@ double CoverNavigation::frontSide() const
     return scene.frames.empty() ? 0 : frontAzimuth(placedPoints(scene.frames.front()));
 }
 
-void CoverNavigation::setStandardView(StandardView view)
+void CoverNavigation::setStandardView(StandardView view, const Box3& with)
 {
     m_returned = false;
     m_seen = Box3();
@@ -112,7 +112,7 @@ void CoverNavigation::setStandardView(StandardView view)
     camera.look(view);
     if (view == StandardView::ThreeQuarter)
         camera.azimuth += frontSide();
-    camera.fit(m_shown.scene().box);
+    camera.fit(m_shown.scene().box.merged(with));
     goTo(camera);
 }
 

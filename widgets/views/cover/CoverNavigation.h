@@ -32,8 +32,8 @@ public:
 
     void fitAll();
     void fitSelection(); ///< everything when nothing that is shown is selected
-    /// Turns smoothly and fits the whole scene.
-    void setStandardView(bolster::CoverNavigation::StandardView view);
+    /// Turns smoothly and fits the whole scene, and this box (mm) with it.
+    void setStandardView(bolster::CoverNavigation::StandardView view, const bolster::Box3& with = {});
     void lookFrom(double azimuth, double elevation); ///< likewise; radians
     void setPerspective(bool perspective);
     bool perspective() const { return m_camera.perspective; }
