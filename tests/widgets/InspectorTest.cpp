@@ -248,6 +248,20 @@ TEST_F(InspectorTest, ADoubleClickBehindANumberTakesTheNumber)
     EXPECT_EQ(box.value(), 7);
 }
 
+TEST_F(InspectorTest, AThirdClickTakesTheNumberToo)
+{
+    NumberBox box({.unit = " mm", .decimals = 2});
+    box.display(589.38);
+    box.resize(200, 30);
+    box.show();
+    auto* line = box.findChild<QLineEdit*>();
+    QTest::mouseDClick(line, Qt::LeftButton, {}, {20, 12});
+    QTest::mouseClick(line, Qt::LeftButton, {}, {20, 12});
+    QTest::keyClicks(line, "420");
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(box.value(), 420);
+}
+
 TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
 {
     set(secondSquare, 0.25);

@@ -3,7 +3,7 @@
 #include "LengthExpression.h"
 #include "Units.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -158,6 +158,12 @@ bool NumberBox::event(QEvent* event)
 bool NumberBox::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == lineEdit() && event->type() == QEvent::MouseButtonDblClick) {
+        m_sinceDoubleClick.start();
+        selectAll();
+        return true;
+    }
+    if (watched == lineEdit() && event->type() == QEvent::MouseButtonPress && m_sinceDoubleClick.isValid() &&
+        m_sinceDoubleClick.elapsed() < QApplication::doubleClickInterval()) { // the third click
         selectAll();
         return true;
     }

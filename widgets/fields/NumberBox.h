@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 
 #include <optional>
 
@@ -89,6 +90,7 @@ private:
     bool m_typedOver = false;          ///< over "varies", or over another value than what is shown since
     std::optional<double> m_meanwhile; ///< what was to be shown last
     bool m_clickedInto = false;        ///< the button is still down
+    QElapsedTimer m_sinceDoubleClick;
     mutable bool m_refused = false;    ///< what was typed last
     mutable QString m_whyRefused;      ///< until something else is typed or `finishTyping` has said it
 };
