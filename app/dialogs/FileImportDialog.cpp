@@ -75,6 +75,8 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     , m_thinned(new QLabel(this))
 {
     setWindowTitle(m_content.cloud ? tr("Import scan") : tr("Import frame"));
+    if (m_content.cloud)
+        setObjectName(QStringLiteral("file.import-scan")); // F1: a page of its own
     m_unit->addItems(
         {tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Feet"), tr("Another factor")});
     m_up->addItems({tr("z points up"), tr("y points up"), tr("x points up")});

@@ -7,6 +7,7 @@
 #include "Rescue.h"
 #include "Samples.h"
 #include "SaveFlow.h"
+#include "Translated.h"
 #include "WholeFile.h"
 
 #include <QDir>
@@ -135,7 +136,7 @@ void OpenFlow::fillRecent(QMenu& menu)
     menu.setToolTipsVisible(true);
     for (const QString& file : recentFiles::all()) {
         const QString number = QString::number((menu.actions().size() + 1) % 10);
-        const QString name = QFileInfo(file).fileName().replace(u'&', QStringLiteral("&&"));
+        const QString name = isolated(QFileInfo(file).fileName()).replace(u'&', QStringLiteral("&&"));
         const QString folder = recentFiles::folderText(file, menu.fontMetrics(), folderWidth);
         QAction* action = menu.addAction(QStringLiteral("&%1  %2\t%3").arg(number, name, folder), this,
                                          [this, file] { open(file); });

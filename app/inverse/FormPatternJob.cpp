@@ -12,16 +12,29 @@ namespace bolster {
 
 namespace {
 
-/// Upright and in mm, as the import of frames proposes it.
-Placement proposedPlacement(const ImportedMesh& read, const QString& file)
+/// Whether that is a form of what stands there: about as large, and in its place.
+bool liesThere(const Box3& box, const Box3& there)
+{
+    constexpr double alike = 3; // times as large or small
+    if (box.isEmpty() || there.isEmpty())
+        return false;
+    const Vec3 half = there.sizes() / 2;
+    const double ratio = box.sizes().maxCoeff() / there.sizes().maxCoeff();
+    return Box3(there.min() - half, there.max() + half).contains(box.center()) && ratio < alike &&
+           1 / ratio < alike;
+}
+
+/// Upright and in mm, as the import of frames proposes it; as it lies, if it lies in the design.
+Placement proposedPlacement(const FileFacts& said, const Box3& box, const QString& file, const Box3& there)
 {
     const QString ending = QFileInfo(file).suffix();
-    const Box3 box = read.mesh->boundingBox();
-    const FileUnit unit = proposedUnit(read.said, ending, box, largestFurniture);
+    if (!said.up && !said.millimetresPerUnit && liesThere(box, there))
+        return {};
+    const FileUnit unit = proposedUnit(said, ending, box, largestFurniture);
     Placement placement;
     placement.scale =
-        unit == FileUnit::Custom ? read.said.millimetresPerUnit.value_or(guessFactor(box)) : millimetresPer(unit);
-    placement.rotation = rotationFor(read.said.up.value_or(guessUpAxis(ending)));
+        unit == FileUnit::Custom ? said.millimetresPerUnit.value_or(guessFactor(box)) : millimetresPer(unit);
+    placement.rotation = rotationFor(said.up.value_or(guessUpAxis(ending)));
     return placement;
 }
 
@@ -32,21 +45,23 @@ FormPatternJob::FileState FormPatternJob::stateOf(const QString& path)
     return {path, QFileInfo(path).lastModified()};
 }
 
-Message FormPatternJob::read(const QString& path, const std::stop_token& stop)
+Message FormPatternJob::read(const QString& path, const Box3& there, const std::stop_token& stop)
 {
     const FileState state = stateOf(path);
-    if (m_form.mesh && m_form.state == state)
+    if (m_form.mesh && m_form.state == state &&
+        m_form.placement == proposedPlacement(m_form.said, m_form.box, path, there))
         return {};
     m_form = {};
     ImportedMesh read = importMesh(path, {stop, {}, {}}, true);
     if (!read.mesh)
         return read.problem;
     m_edges = {state, std::move(read.edges)};
-    const Placement placement = proposedPlacement(read, path);
+    const Box3 box = read.mesh->boundingBox();
+    const Placement placement = proposedPlacement(read.said, box, path, there);
     auto placed = std::make_shared<TriangleMesh>(*read.mesh);
     for (Vec3& point : placed->points)
         point = placement.placed(point);
-    m_form = {state, std::move(placed), placement, std::move(read.warning)};
+    m_form = {state, std::move(placed), placement, std::move(read.warning), read.said, box};
     return {};
 }
 
@@ -82,7 +97,7 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
     try {
         std::shared_ptr<const TriangleMesh> mesh = wanted.mesh;
         if (!mesh) {
-            made.problem = read(wanted.file, stop);
+            made.problem = read(wanted.file, wanted.there, stop);
             mesh = m_form.mesh;
             if (mesh)
                 made.size = mesh->boundingBox().sizes();

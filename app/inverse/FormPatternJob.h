@@ -1,6 +1,7 @@
 // The pattern of a form, beside the window.
 #pragma once
 
+#include "FileGuess.h"
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "Frame.h"
@@ -18,6 +19,7 @@ struct FormWanted {
     int number = 0;
     std::shared_ptr<const TriangleMesh> mesh; ///< mm; null: that of the file
     QString file;                             ///< its unit and axes are guessed where it does not say them
+    Box3 there = {};                          ///< mm, of the cover: what lies there is taken as it lies
     std::optional<Frame> frame = {};          ///< the mesh is of, as it stands
     QString cadFile = {};                     ///< at the edges of whose faces the form is cut, too; "": of none
     FormCuts cuts;
@@ -52,6 +54,8 @@ private:
         std::shared_ptr<const TriangleMesh> mesh; ///< mm
         Placement placement;
         Message warning; ///< what is odd about the file
+        FileFacts said;
+        Box3 box; ///< file units
     };
     struct EdgesOfFile {
         FileState state;
@@ -59,7 +63,7 @@ private:
     };
 
     static FileState stateOf(const QString& path);
-    Message read(const QString& path, const std::stop_token& stop);
+    Message read(const QString& path, const Box3& there, const std::stop_token& stop);
     Message readEdges(const QString& path, const std::stop_token& stop);
     void addEdges(FormCuts& cuts, const std::optional<Frame>& frame) const;
 

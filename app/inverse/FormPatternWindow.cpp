@@ -123,6 +123,7 @@ void FormPatternWindow::build()
     m_make = buttons->addButton(tr("&Make the pattern"), QDialogButtonBox::AcceptRole);
     m_make->setDefault(true);
     connect(m_make, &QPushButton::clicked, this, &FormPatternWindow::make);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     m_stop = new QPushButton(tr("&Stop"), this); // not among the others, which would move under the pointer
     m_stop->setAutoDefault(false);
     connect(m_stop, &QPushButton::clicked, this, &FormPatternWindow::stop);
@@ -371,6 +372,9 @@ void FormPatternWindow::ask(bool draft)
     wanted.mesh = m_mesh;
     wanted.file = m_file;
     wanted.draft = draft;
+    if (m_solver.surface())
+        for (const Vec3& place : m_solver.surface()->positions)
+            wanted.there.extend(place);
     if (frame())
         wanted.frame = *frame();
     if (m_faces->isChecked())
@@ -417,9 +421,10 @@ void FormPatternWindow::take(FormMade made)
         setRunning(false);
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, limitOf(fabric()));
-    const bool whole = std::ranges::count(m_made->pattern.patches, noElement) == 0;
+    const auto leftOut = std::ranges::count(m_made->pattern.patches, noElement);
+    const bool whole = leftOut == 0;
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
-    m_make->setEnabled(this->made() && m_made->problem.empty() && !m_made->pattern.patches.empty());
+    m_make->setEnabled(this->made() && m_made->problem.empty() && std::ssize(m_made->pattern.patches) > leftOut);
     say();
 }
 
@@ -427,7 +432,7 @@ void FormPatternWindow::say()
 {
     if (!m_made->problem.empty()) {
         QStringList lines{asSentence(translated(m_made->problem))};
-        if (!m_bends->isChecked())
+        if (!m_bends->isChecked() && !m_made->form.problem.empty()) // it was read, and cannot be cut
             lines << tr("A mark at \"where it bends by more than\" cuts it there, too.");
         for (const Message& note : m_made->form.notes)
             lines << translated(note);

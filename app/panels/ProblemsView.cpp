@@ -4,6 +4,7 @@
 #include "ElementText.h"
 #include "Icons.h"
 #include "ProblemSet.h"
+#include "SeamColors.h"
 #include "Translated.h"
 #include "ViewColors.h"
 
@@ -102,7 +103,10 @@ QString ProblemsView::textOf(const Problem& problem) const
     const ElementPtr element = m_document.design().element(problem.element);
     if (!element || problem.element == settingsId || std::holds_alternative<Quarantined>(*element))
         return translated(problem);
-    return tr("%1: %2").arg(displayName(m_document.design(), problem.element), translated(problem.message));
+    QString name = displayName(m_document.design(), problem.element);
+    if (const QString letter = seamLetter(m_document.design(), problem.element); !letter.isEmpty())
+        name += QStringLiteral(", ") + letter;
+    return tr("%1: %2").arg(name, translated(problem.message));
 }
 
 /// An empty list might be one that waits.

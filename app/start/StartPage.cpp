@@ -7,6 +7,7 @@
 #include "StartCard.h"
 #include "StartPictures.h"
 #include "Templates.h"
+#include "Translated.h"
 
 #include <QBoxLayout>
 #include <QDir>
@@ -234,7 +235,7 @@ void StartPage::addRecent(QVBoxLayout& page)
     row->addWidget(clear);
     CardFlow* flow = addCards(page);
     for (const QString& file : files) {
-        StartCard* card = newPictureCard(file, QFileInfo(file).completeBaseName(),
+        StartCard* card = newPictureCard(file, isolated(QFileInfo(file).completeBaseName()),
                                          recentFiles::folderText(file, fontMetrics(), 10 * fontMetrics().height()));
         card->setObjectName(QStringLiteral("recent-card"));
         card->setToolTip(QDir::toNativeSeparators(file));

@@ -5,6 +5,7 @@
 #include "CauseWindow.h"
 #include "DesignJson.h"
 #include "Designer.h"
+#include "FormPatternJob.h"
 #include "FormPatternWindow.h"
 #include "Jobs.h"
 #include "MapLink.h"
@@ -181,6 +182,28 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(count<Patch>(), 0);
     EXPECT_EQ(count<FixationCurve>(), 4);
+}
+
+/// OBJ says nothing of its axes; by custom y points up.
+TEST_F(BothWaysTest, AFormThatLiesWhereTheCoverIsIsTakenAsItLies)
+{
+    const QString path = folder.filePath("form.obj");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("v 0 0 0\nv 500 0 10\nv 500 300 100\nv 0 300 90\nf 1 2 3\nf 1 3 4\n");
+    file.close();
+    FormPatternJob job;
+    FormWanted wanted;
+    wanted.file = path;
+    wanted.draft = true;
+    const auto size = [&](const Box3& there) {
+        wanted.there = there;
+        return job.make(wanted, {}).size.value_or(Vec3::Zero());
+    };
+    EXPECT_TRUE(size({}).isApprox(Vec3(500, 100, 300)));
+    EXPECT_TRUE(size(Box3(Vec3(-20, 0, 0), Vec3(520, 310, 120))).isApprox(Vec3(500, 300, 100)));
+    EXPECT_TRUE(size(Box3(Vec3(3000, 0, 0), Vec3(3500, 310, 120))).isApprox(Vec3(500, 100, 300)));
+    EXPECT_TRUE(size(Box3(Vec3(0, 0, 0), Vec3(20, 20, 20))).isApprox(Vec3(500, 100, 300)));
 }
 
 TEST_F(BothWaysTest, AFrameFromCadIsCutAtTheEdgesOfItsFaces)

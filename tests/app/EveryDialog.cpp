@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QGroupBox>
 #include <QHeaderView>
@@ -44,12 +45,29 @@ QWidget* openedBeside(const QWidget& window)
     return found == all.end() ? nullptr : *found;
 }
 
+QPushButton* closingButton(const QWidget& opened)
+{
+    for (const auto* box : opened.findChildren<QDialogButtonBox*>())
+        for (const QDialogButtonBox::StandardButton which : {QDialogButtonBox::Close, QDialogButtonBox::Cancel})
+            if (QPushButton* button = box->button(which))
+                return button;
+    return nullptr;
+}
+
 void closeAll(const QWidget& window)
 {
     for (int tries = 0; tries < 10; ++tries) {
         QWidget* opened = openedBeside(window);
         if (!opened)
             return;
+        if (QPushButton* button = closingButton(*opened)) {
+            button->click();
+            EXPECT_TRUE(QTest::qWaitFor([&] { return openedBeside(window) != opened; }, 5000))
+                << opened->metaObject()->className() << ": its button \"" << qPrintable(button->text())
+                << "\" does not close it";
+        }
+        if (openedBeside(window) != opened)
+            continue;
         if (auto* dialog = qobject_cast<QDialog*>(opened))
             dialog->reject();
         else

@@ -100,6 +100,22 @@ TEST_F(BoxTest, OfASoundPieceNothingIsSaid)
         EXPECT_LT(one.share, 0.3) << s_finder->causes()[one.cause].name;
 }
 
+TEST_F(BoxTest, OfThePieceItselfSharesAreNumbers)
+{
+    const FitTarget itself = scanOf(*s_finder->nominal(), 5, 0, 1);
+    for (const Explanation& one : s_finder->explain(itself, itself).ranked) {
+        EXPECT_TRUE(std::isfinite(one.share)) << s_finder->causes()[one.cause].name;
+        EXPECT_TRUE(std::isfinite(one.probability));
+    }
+}
+
+TEST_F(BoxTest, WhoStopsItGetsNothing)
+{
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(s_finder->explain(scanOf(*s_finder->nominal(), 5, 1, 1), {}, stop.get_token()).ranked.empty());
+}
+
 TEST_F(BoxTest, AScanElsewhereShowsNothing)
 {
     ASSERT_TRUE(s_cover->follow(s_input->design));
@@ -175,8 +191,8 @@ TEST(Causes, EvidenceCountsAgainstCausesThatCouldBeAnything)
     EXPECT_NEAR(evidence.noise(), 0.07, 0.02);
     EXPECT_NEAR(evidence.fit(0).numbers[0], 2, 0.05);
     EXPECT_GT(evidence.fit(0).evidence, evidence.fit(1).evidence + 1);
-    EXPECT_GT(evidence.likeness(1, columns.field), 0.99);
-    EXPECT_LT(evidence.likeness(0, columns.up.col(2)), 0.3);
+    EXPECT_GT(evidence.likeness(1, columns.field)[0], 0.99);
+    EXPECT_LT(evidence.likeness(0, columns.up.col(2))[0], 0.3);
 }
 
 } // namespace

@@ -180,6 +180,7 @@ TEST_F(SweepCommand, SaysWhatIsWrongWithASpec)
     expectRefused(R"({"tolerances": {"cut_mm": 1}, "distribution": "even"})", "distribution");
     expectRefused(R"({"tolerances": {"cut_mm": 1}, "limits": {"distance_mm": -1}})", "limits.distance_mm");
     expectRefused(R"({"tolerances": {"cut_mm": 1}, "limits": {"far": 1}})", "limits.far: unknown");
+    expectRefused(R"({"tolerances": {"cut_mm": 1, "cut_mm": 2}})", "cut_mm: stands there twice");
 }
 
 TEST_F(SweepCommand, SaysWhatIsWrongWithAField)

@@ -193,6 +193,14 @@ TEST(SeamLabels, CountLikeColumnsOfATable)
     EXPECT_EQ(seamLabel(25), "Z");
     EXPECT_EQ(seamLabel(26), "AA");
     EXPECT_EQ(seamLabel(26 * 27), "AAA");
+    const Design none;
+    const Design two = none.with({{},
+                                  {{ElementId{3}, nullptr, makeElement(Seam{})},
+                                   {ElementId{5}, nullptr, makeElement(Fabric{})},
+                                   {ElementId{8}, nullptr, makeElement(Seam{})}}});
+    EXPECT_EQ(seamLetter(two, ElementId{3}), "A");
+    EXPECT_EQ(seamLetter(two, ElementId{8}), "B");
+    EXPECT_EQ(seamLetter(two, ElementId{5}), "");
 }
 
 } // namespace

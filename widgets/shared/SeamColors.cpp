@@ -57,4 +57,13 @@ QString seamLabel(std::size_t before)
     return label;
 }
 
+QString seamLetter(const Design& design, ElementId seam)
+{
+    if (!design.find<Seam>(seam))
+        return {};
+    std::size_t before = 0;
+    design.each<Seam>([&](ElementId id, const Seam&) { before += id < seam ? 1 : 0; });
+    return seamLabel(before);
+}
+
 } // namespace bolster

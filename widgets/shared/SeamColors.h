@@ -14,5 +14,7 @@ std::map<ElementId, QColor> seamColors(const Design& design, bool darkBackground
 
 /// "A", "B" ... "Z", "AA": of the seam with so many before it, the same for both of its sides.
 QString seamLabel(std::size_t before);
+/// The letter of a seam in the pattern; "" for what is none.
+QString seamLetter(const Design& design, ElementId seam);
 
 } // namespace bolster

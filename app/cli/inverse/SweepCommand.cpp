@@ -11,6 +11,9 @@
 #include "VertexAreas.h"
 #include "WholeFile.h"
 
+#include <QFile>
+#include <QFileInfo>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -134,6 +137,14 @@ bool isOut(const SweepSample& sample, const SweepSpec& spec)
            (spec.limitStrain && sample.strain > *spec.limitStrain);
 }
 
+/// In the folder of a sweep, in which nobody has laid links for it.
+Message replaceOwnFile(const QString& path, const std::string& text)
+{
+    if (QFileInfo(path).isSymLink())
+        QFile::remove(path);
+    return replaceWholeFile(path, text);
+}
+
 class Figures {
 public:
     Figures(Sweep& sweep, const SweepSpec& spec, int linearSamples, const std::stop_token& stop)
@@ -167,7 +178,7 @@ public:
         for (const auto& [name, text] : {std::pair("report.json", report(solved, resting, map).dump(1) + "\n"),
                                          std::pair("samples.csv", csvOf(solved)),
                                          std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_linearP95, map))})
-            if (const Message problem = replaceWholeFile(folder.file(name), text); !problem.empty())
+            if (const Message problem = replaceOwnFile(folder.file(name), text); !problem.empty())
                 return problem.english();
         return {};
     }
@@ -186,9 +197,11 @@ private:
                                 {"without_cover", solved.size() - resting.size()},
                                 {"out_of_limits", out},
                                 {"p95", asJson(found)}};
-            printResult("solved: within " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) +
-                        " mm; " + std::to_string(out) + " of " + std::to_string(solved.size()) +
-                        " pieces are out of limits");
+            printResult("solved: within " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) + " mm" +
+                        (m_spec.limitDistance || m_spec.limitStrain
+                             ? "; " + std::to_string(out) + " of " + std::to_string(solved.size()) +
+                                   " pieces are out of limits"
+                             : std::string()));
             if (resting.size() < solved.size())
                 printError("warning: " + std::to_string(solved.size() - resting.size()) +
                            " samples have no cover at rest");

@@ -13,7 +13,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <string_view>
+#include <vector>
 
 namespace bolster::cli {
 
@@ -113,8 +115,19 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
     if (!file.problem.empty())
         refuse(path.toStdString(), file.problem.english());
     Json spec;
+    std::vector<std::set<std::string>> known; // keys of the objects that are open
+    std::string twice;
+    const auto lookAtKeys = [&](int, Json::parse_event_t event, const Json& key) {
+        if (event == Json::parse_event_t::object_start)
+            known.emplace_back();
+        else if (event == Json::parse_event_t::object_end)
+            known.pop_back();
+        else if (event == Json::parse_event_t::key && !known.back().insert(key).second)
+            twice = key;
+        return true;
+    };
     try {
-        spec = Json::parse(file.bytes);
+        spec = Json::parse(file.bytes, lookAtKeys);
     } catch (const Json::parse_error& error) {
         const std::string_view before = std::string_view(file.bytes).substr(0, error.byte);
         refuse(path.toStdString(), "is no JSON from line " + std::to_string(1 + std::ranges::count(before, '\n')) +
@@ -123,6 +136,8 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
     } catch (const Json::exception&) {
         refuse(path.toStdString(), "a number in it is too large");
     }
+    if (!twice.empty())
+        refuse(twice, "stands there twice");
     if (!spec.is_object() || !spec.contains("tolerances") || !spec["tolerances"].is_object())
         refuse("tolerances", "an object is expected");
     SweepSpec result;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <stop_token>
 #include <vector>
 
 namespace bolster {
@@ -28,7 +29,8 @@ struct CauseFit {
 class CauseEvidence {
 public:
     /// `places`: how many independent ones the rows stand for. Takes the noise from what all columns leave.
-    CauseEvidence(CauseColumns columns, double places, double leastNoise);
+    /// Who stops it has one whose noise means nothing.
+    CauseEvidence(CauseColumns columns, double places, double leastNoise, const std::stop_token& stop = {});
 
     double noise() const { return m_noise; }
     const CauseColumns& columns() const { return m_columns; }
@@ -38,14 +40,18 @@ public:
     /// Where the numbers should go when so much remains of the field.
     Eigen::VectorXd step(int cause, const CauseFit& fit, const Eigen::VectorXd& numbers,
                          const Eigen::VectorXd& remains) const;
-    /// How much of a field the columns of a cause can be, 0 to 1: the cosine of the angle between them.
-    double likeness(int cause, const Eigen::VectorXd& field) const;
+    /// How much of each field (columns) the columns of a cause can be, 0 to 1: the cosine of the angle between
+    /// them.
+    Eigen::VectorXd likeness(int cause, const Eigen::MatrixXd& fields) const;
 
 private:
     Eigen::MatrixXd columnsAt(Eigen::Index first, const Eigen::VectorXd& numbers) const;
+    void multiply(const std::stop_token& stop);
     CauseFit fitOf(Eigen::Index first, Eigen::Index count) const;
 
     CauseColumns m_columns;
+    Eigen::MatrixXd m_upUp, m_upDown, m_downDown; ///< products of all columns with each other ...
+    Eigen::VectorXd m_upField, m_downField;       ///< ... and with the field
     double m_noise = 1;
 };
 

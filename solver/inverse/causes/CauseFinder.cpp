@@ -164,7 +164,7 @@ private:
         candidate.solved = true;
         candidate.evidence = evidence;
         candidate.numbers = tried;
-        candidate.share = 1 - remains.squaredNorm() / field.squaredNorm();
+        candidate.share = field.isZero(0) ? 0 : 1 - remains.squaredNorm() / field.squaredNorm();
         candidate.remains = std::move(remains);
     }
 
@@ -185,23 +185,30 @@ std::vector<Candidate> candidatesOf(const CauseEvidence& evidence)
         candidate.fit = evidence.fit(cause);
         candidate.numbers = candidate.fit.numbers;
         candidate.evidence = candidate.fit.evidence;
-        candidate.share = 1 - (evidence.columns().field - candidate.fit.reached).squaredNorm() / all;
+        candidate.share = all > 0 ? 1 - (evidence.columns().field - candidate.fit.reached).squaredNorm() / all : 0;
         candidates.push_back(std::move(candidate));
     }
     std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::evidence);
     return candidates;
 }
 
-/// Two are alike when one of them can be the field that the other one explains.
-std::vector<std::size_t> alikeTo(const Candidate& candidate, const std::vector<Candidate>& all,
-                                 const CauseEvidence& evidence)
+/// Of each candidate the causes that are alike: one of the two can be the field that the other one explains.
+std::vector<std::vector<std::size_t>> alikeOf(const std::vector<Candidate>& candidates,
+                                              const CauseEvidence& evidence, const std::stop_token& stop)
 {
-    std::vector<std::size_t> alike;
-    for (const Candidate& other : all)
-        if (other.cause != candidate.cause &&
-            (evidence.likeness(static_cast<int>(other.cause), candidate.fit.reached) > sameField ||
-             evidence.likeness(static_cast<int>(candidate.cause), other.fit.reached) > sameField))
-            alike.push_back(other.cause);
+    const Eigen::Index count = std::ssize(candidates);
+    Eigen::MatrixXd reached(evidence.columns().field.size(), count);
+    for (Eigen::Index k = 0; k < count; ++k)
+        reached.col(k) = candidates[static_cast<std::size_t>(k)].fit.reached;
+    Eigen::MatrixXd likeness = Eigen::MatrixXd::Zero(count, count); // of a cause to the field of another one
+    for (Eigen::Index k = 0; k < count && !stop.stop_requested(); ++k)
+        likeness.row(k) =
+            evidence.likeness(static_cast<int>(candidates[static_cast<std::size_t>(k)].cause), reached);
+    std::vector<std::vector<std::size_t>> alike(candidates.size());
+    for (Eigen::Index a = 0; a < count; ++a)
+        for (Eigen::Index b = 0; b < count; ++b)
+            if (a != b && std::max(likeness(a, b), likeness(b, a)) > sameField)
+                alike[static_cast<std::size_t>(a)].push_back(candidates[static_cast<std::size_t>(b)].cause);
     return alike;
 }
 
@@ -271,13 +278,18 @@ Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
     CauseColumns columns{.field = measured.rowsOf(outside), .up = {}, .down = {}, .first = m_first};
     columns.up.resize(columns.field.size(), m_first.back());
     columns.down.resize(columns.field.size(), m_first.back());
-    for (Eigen::Index k = 0; k < m_first.back(); ++k) {
-        columns.up.col(k) = measured.rowsOf(field.mean * m_linear.col(2 * k).cast<double>());
-        columns.down.col(k) = measured.rowsOf(field.mean * m_linear.col(2 * k + 1).cast<double>());
+    const auto moved = [&](Eigen::Index column) { // evaluated: rows of a product would be whole products each
+        return Eigen::VectorXd(field.mean * m_linear.col(column).cast<double>().eval());
+    };
+    for (Eigen::Index k = 0; k < m_first.back() && !stop.stop_requested(); ++k) {
+        columns.up.col(k) = measured.rowsOf(moved(2 * k));
+        columns.down.col(k) = measured.rowsOf(moved(2 * k + 1));
     }
     result.covered = measured.covered;
     result.rms = std::sqrt(columns.field.squaredNorm() / measured.places);
-    const CauseEvidence evidence(std::move(columns), measured.places, leastNoise);
+    const CauseEvidence evidence(std::move(columns), measured.places, leastNoise, stop);
+    if (stop.stop_requested())
+        return result;
     result.noise = evidence.noise();
     std::vector<Candidate> candidates = candidatesOf(evidence);
     const auto best = static_cast<std::ptrdiff_t>(std::min<std::size_t>(m_solved, candidates.size()));
@@ -285,9 +297,10 @@ Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
         .solve(std::span(candidates).first(static_cast<std::size_t>(best)), stop);
     std::stable_sort(candidates.begin(), candidates.begin() + best,
                      [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
-    for (const Candidate& candidate : candidates) {
-        result.ranked.push_back(explanationOf(candidate, m_causes[candidate.cause]));
-        result.ranked.back().alike = alikeTo(candidate, candidates, evidence);
+    std::vector<std::vector<std::size_t>> alike = alikeOf(candidates, evidence, stop);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        result.ranked.push_back(explanationOf(candidates[k], m_causes[candidates[k].cause]));
+        result.ranked.back().alike = std::move(alike[k]);
     }
     addProbabilities(result);
     return result;
