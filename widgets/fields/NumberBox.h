@@ -91,8 +91,8 @@ private:
     std::optional<double> m_meanwhile; ///< what was to be shown last
     bool m_clickedInto = false;        ///< the button is still down
     QElapsedTimer m_sinceDoubleClick;
-    mutable bool m_refused = false;    ///< what was typed last
-    mutable QString m_whyRefused;      ///< until something else is typed or `finishTyping` has said it
+    mutable bool m_refused = false; ///< what was typed last
+    mutable QString m_whyRefused;   ///< until something else is typed or `finishTyping` has said it
 };
 
 } // namespace bolster
