@@ -124,7 +124,7 @@ bool CompareWindow::compareWith(NodeId node)
         return false;
     m_original = *other;
     m_title = titleOf(node);
-    m_other = {};
+    showOther(numberedApart(m_document.committed(), m_original));
     refresh();
     bakeFabrics();
     return true;
@@ -155,12 +155,16 @@ QString CompareWindow::titleOf(NodeId node) const
     return tr("%1, %2").arg(what, when);
 }
 
+void CompareWindow::showOther(Design apart)
+{
+    m_other = std::move(apart);
+    m_left->setVersion(m_title, m_other, m_filesOf(m_other));
+}
+
 void CompareWindow::refresh()
 {
-    if (Design apart = numberedApart(m_document.committed(), m_original); !(apart == m_other)) {
-        m_other = std::move(apart);
-        m_left->setVersion(m_title, m_other, m_filesOf(m_other));
-    }
+    if (Design apart = numberedApart(m_document.committed(), m_original); !(apart == m_other))
+        showOther(std::move(apart));
     m_right->setVersion(tr("Now"), m_document.committed(), m_filesOf(m_document.committed()));
     m_right->setFabrics(m_fabrics.maps());
     fillList();

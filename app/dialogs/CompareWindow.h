@@ -43,6 +43,7 @@ public:
 private:
     void layOut();
     void tieViews(VersionPane& moved, VersionPane& other);
+    void showOther(Design apart);
     void refresh();
     void bakeFabrics();
     void fillList();

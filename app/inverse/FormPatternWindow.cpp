@@ -372,7 +372,7 @@ void FormPatternWindow::ask(bool draft)
     wanted.mesh = m_mesh;
     wanted.file = m_file;
     wanted.draft = draft;
-    if (m_solver.surface())
+    if (file && m_solver.surface())
         for (const Vec3& place : m_solver.surface()->positions)
             wanted.there.extend(place);
     if (frame())

@@ -762,6 +762,19 @@ TEST_F(ProjectFilesTest, AnotherNameOfAFileThatIsOpenElsewhereIsNoWayToTakeIt)
     EXPECT_TRUE(readWholeFile(path, 1 << 24).bytes == before);
 }
 
+TEST_F(ProjectFilesTest, AnEmptyVersionIsComparedAsWell)
+{
+    window.document().reset(Design());
+    for (const char* name : {"Red", "Blue"})
+        window.document().commit(edits::addElement(window.document().design(), makeElement(Fabric{.name = name})));
+    for (const NodeId node : {1, 0}) {
+        emit window.findChild<HistoryView*>()->compareWanted(node);
+        auto* compare = window.findChild<CompareWindow*>();
+        ASSERT_TRUE(compare);
+        EXPECT_EQ(compare->left().design().elements().size(), static_cast<std::size_t>(node));
+    }
+}
+
 TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
 {
     ASSERT_TRUE(open(sample("box-cushion")));

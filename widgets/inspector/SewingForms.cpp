@@ -2,6 +2,7 @@
 
 #include "ArcLength.h"
 #include "OrientationBoxes.h"
+#include "SeamEase.h"
 #include "StretchLength.h"
 #include "TrimSection.h"
 #include "Units.h"
@@ -18,10 +19,9 @@ void SeamForm::add(PropertyForm& form, const Ids& ids) const
         return tr("%1, %2").arg(displayName(design, s.b.patch), lengthText(stretchLength(design, s.b)));
     });
     seam.info(tr("Ease"), [](const Design& design, const Seam& s) {
-        const double a = stretchLength(design, s.a);
-        const double b = stretchLength(design, s.b);
-        return a > 0 && b > 0 ? tr("%1, %2").arg(lengthText(b - a), percentText((b - a) / std::min(a, b)))
-                              : QString();
+        const SeamEase ease = seamEaseOf(design, s);
+        return ease.known() ? tr("%1, %2").arg(lengthText(ease.difference()), percentText(ease.ratio()))
+                            : QString();
     });
     seam.field(&Seam::ease);
     seam.field(&Seam::zip);

@@ -87,8 +87,8 @@ QString ManualCommands::placeNow() const
             const QString place = m_places.ofMessage(line->solverKey());
             return place.isEmpty() ? m_places.ofWidget(line) : place;
         }
-    if (const auto* tabs =
-            qobject_cast<const QTabBar*>(pointedAt)) // a click on a tab leaves the keyboard where it was
+    // A click on a tab leaves the keyboard where it was.
+    if (const auto* tabs = qobject_cast<const QTabBar*>(pointedAt))
         for (const auto* dock : m_window.findChildren<QDockWidget*>())
             if (dock->windowTitle() == tabs->tabText(tabs->tabAt(tabs->mapFromGlobal(QCursor::pos()))))
                 if (const QString place = m_places.ofWidget(dock->widget()); !place.isEmpty())
