@@ -151,7 +151,8 @@ CauseWindow::Found CauseWindow::explain(const Wanted& wanted, const std::functio
 
 void CauseWindow::find()
 {
-    if (m_scan->asksForFile() || m_sound->asksForFile())
+    const auto again = [this] { find(); };
+    if (m_scan->asksForFile(again) || m_sound->asksForFile(again))
         return;
     const FitForm scan = m_scan->form();
     if (scan.empty()) {

@@ -227,10 +227,10 @@ void FitOrderPanel::addSelectedGoals(FitGoals& goals) const
             goals.sizes.push_back({patch, m_size->value() / 100});
 }
 
-QString FitOrderPanel::missing(const FitOrder& order) const
+QString FitOrderPanel::missing(const FitOrder& order, const std::function<void()>& then) const
 {
     const FitGoals& goals = order.goals;
-    if (m_lies->isChecked() && (m_form->asksForFile() || m_form->form().empty()))
+    if (m_lies->isChecked() && (m_form->asksForFile(then) || m_form->form().empty()))
         return tr("Choose the scan or the file that the cover shall lie on.");
     if (m_along->isChecked() && goals.seams.empty())
         return tr("Select the seam that shall run along the curve.");

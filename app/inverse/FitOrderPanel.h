@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QCheckBox;
 class QComboBox;
 class QVBoxLayout;
@@ -35,8 +37,8 @@ public:
     FitForm form() const;
     /// Without a target.
     FitOrder order() const;
-    /// What is missing; empty when nothing is. May ask for the file of the form.
-    QString missing(const FitOrder& order) const;
+    /// What is missing; empty when nothing is. May ask for the file of the form, and go on with `then`.
+    QString missing(const FitOrder& order, const std::function<void()>& then) const;
 
 private:
     QWidget* buildGoals();

@@ -4,8 +4,10 @@
 #include "Units.h"
 #include "ViewColors.h"
 
+#include <QHelpEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -15,6 +17,7 @@ namespace {
 
 constexpr double margin = 14;      // pixels
 constexpr double roomForName = 60; // pixels: narrower pieces have none
+constexpr double mostHidden = 0.4; // of a piece's height, by its name
 constexpr int colourSteps = 24;    // triangles of a step are painted together
 constexpr int scaleWidth = 120;    // pixels of the bar with the colours
 
@@ -114,6 +117,34 @@ void FlatPiecesView::paintScale(QPainter& painter) const
     write(end);
 }
 
+/// Of a piece in pixels; empty where it has become no patch.
+QPolygonF FlatPiecesView::borderOf(const QTransform& fit, std::size_t p) const
+{
+    QPolygonF border;
+    if (const std::optional<Vec2> place = placeOf(*m_made, p))
+        for (const int vertex : m_made->form.pieces[p].border)
+            border << fit.map(toPoint(m_made->flat[p].at[static_cast<std::size_t>(vertex)] + *place));
+    return border;
+}
+
+bool FlatPiecesView::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QString tip;
+    if (m_made) {
+        const QTransform fit = fitting();
+        for (std::size_t p = 0; p < m_made->flat.size() && tip.isEmpty(); ++p)
+            if (borderOf(fit, p).containsPoint(help->pos(), Qt::OddEvenFill))
+                tip = tr("%1: strain %2 (rms)")
+                          .arg(QString::fromStdString(m_made->form.pieces[p].name),
+                               percentText(m_made->flat[p].strainRms));
+    }
+    QToolTip::showText(help->globalPos(), tip, this);
+    return true;
+}
+
 void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::size_t p) const
 {
     const std::optional<Vec2> place = placeOf(*m_made, p);
@@ -135,20 +166,18 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
     for (const auto& [step, path] : steps)
         painter.fillPath(path, stepColor(step));
     painter.setRenderHint(QPainter::Antialiasing);
-    QPolygonF border;
-    for (const int vertex : piece.border)
-        border << at(vertex);
+    const QPolygonF border = borderOf(fit, p);
     const ViewColors colors = ViewColors::of(palette());
     painter.setPen(QPen(colors.outline, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(border);
     const QRectF box = border.boundingRect();
-    if (box.width() < roomForName)
-        return;
     const QString name =
         fontMetrics().elidedText(QString::fromStdString(piece.name), Qt::ElideRight, static_cast<int>(box.width()));
     QRectF plate = fontMetrics().boundingRect(name);
     plate.moveCenter(box.center());
+    if (box.width() < roomForName || plate.height() > mostHidden * box.height())
+        return; // a tip has it
     painter.fillRect(plate.adjusted(-3, -1, 3, 1), colors.canvas);
     painter.setPen(colors.label);
     painter.drawText(plate, Qt::AlignCenter, name);

@@ -3,6 +3,7 @@
 
 #include "FormPatternJob.h"
 
+#include <QPolygonF>
 #include <QWidget>
 
 namespace bolster {
@@ -18,11 +19,13 @@ public:
     QSize sizeHint() const override { return {520, 420}; }
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     int scaleHeight() const;
     QTransform fitting() const;
+    QPolygonF borderOf(const QTransform& fit, std::size_t piece) const;
     void paintScale(QPainter& painter) const;
     void paintPiece(QPainter& painter, const QTransform& fit, std::size_t piece) const;
 

@@ -10,7 +10,8 @@ namespace bolster {
 
 namespace {
 
-const QString fileData = QStringLiteral("file");
+const QString otherFile = QStringLiteral("other");
+constexpr int fileRole = Qt::UserRole + 1;
 
 } // namespace
 
@@ -23,8 +24,10 @@ FormChoice::FormChoice(DesignSession& session, QString fileTitle, const QString&
     setMinimumContentsLength(16);
     fill(none);
     connect(this, &QComboBox::activated, this, [this] {
-        if (fileIsChosen())
+        if (currentData().toString() == otherFile)
             chooseFile();
+        else
+            m_before = currentIndex();
     });
 }
 
@@ -36,41 +39,52 @@ void FormChoice::fill(const QString& none)
         addItem(QString::fromStdString(scan.name), number(id));
         ++m_scans;
     });
-    addItem(tr("A file \u2026"), fileData);
+    addItem(tr("A file \u2026"), otherFile);
 }
 
-bool FormChoice::fileIsChosen() const
+bool FormChoice::asksForFile(const std::function<void()>& then)
 {
-    return currentData().toString() == fileData;
-}
-
-bool FormChoice::asksForFile()
-{
-    const bool asks = fileIsChosen() && m_file.isEmpty();
+    const bool asks = currentData().toString() == otherFile;
     if (asks)
-        chooseFile();
+        chooseFile(then);
     return asks;
 }
 
-void FormChoice::chooseFile()
+/// Who chooses none has what was chosen before.
+void FormChoice::chooseFile(const std::function<void()>& then)
 {
+    setCurrentIndex(m_before);
     askForFile(this, m_fileTitle, usualFolder(m_session.path()),
                tr("Meshes and scans (%1);;All files (*)")
                    .arg(patternsOf(FileUse::Frame) + ' ' + patternsOf(FileUse::Scan)),
-               [this](const QString& file) {
-                   m_file = file;
-                   setItemText(count() - 1, QFileInfo(file).fileName());
+               [this, then](const QString& file) {
+                   take(file);
                    emit fileChosen();
+                   if (then)
+                       then();
                });
+}
+
+/// Chosen files stay in the list, above the entry for another one.
+void FormChoice::take(const QString& file)
+{
+    int row = findData(file, fileRole);
+    if (row < 0) {
+        row = count() - 1;
+        insertItem(row, QFileInfo(file).fileName());
+        setItemData(row, file, fileRole);
+        setItemData(row, file, Qt::ToolTipRole);
+    }
+    setCurrentIndex(row);
+    m_before = row;
 }
 
 FitForm FormChoice::form() const
 {
     FitForm form;
-    if (fileIsChosen()) {
-        form.file = m_file;
+    form.file = currentData(fileRole).toString();
+    if (!form.file.isEmpty())
         return form;
-    }
     const auto id = static_cast<ElementId>(currentData().toUInt());
     const auto* scan = m_session.document().committed().find<Scan>(id);
     const auto cloud = m_session.files().clouds.find(id);

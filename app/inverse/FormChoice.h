@@ -5,6 +5,8 @@
 
 #include <QComboBox>
 
+#include <functional>
+
 namespace bolster {
 
 class DesignSession;
@@ -21,20 +23,21 @@ public:
     bool hasScans() const { return m_scans > 0; }
     /// Empty when none is chosen, or its file is not read.
     FitForm form() const;
-    /// When "A file ..." is chosen, but none yet: asks for it, and returns true.
-    bool asksForFile();
+    /// When "A file ..." is chosen, but none yet: asks for it, goes on with `then` when there is one, and returns
+    /// true.
+    bool asksForFile(const std::function<void()>& then);
 
 signals:
     void fileChosen();
 
 private:
     void fill(const QString& none);
-    void chooseFile();
-    bool fileIsChosen() const;
+    void chooseFile(const std::function<void()>& then = {});
+    void take(const QString& file);
 
     DesignSession& m_session;
     QString m_fileTitle;
-    QString m_file;
+    int m_before = 0; ///< what was chosen
     int m_scans = 0;
 };
 

@@ -291,6 +291,7 @@ void FormPatternWindow::chooseFile()
 
 void FormPatternWindow::formChosen()
 {
+    clear(); // pieces of another form would look like those of this one
     if (m_form->currentData().toString() == "cover")
         tickLines(false); // what holds the cover lies along its borders
     m_mesh = mesh();
@@ -408,7 +409,14 @@ void FormPatternWindow::stop()
     m_job.cancel();
     ++m_asked; // what is on its way comes too late
     setRunning(false);
+    clear();
     m_said->setText(tr("It was stopped. Change how it is cut, or choose the form again, to lay it flat."));
+}
+
+void FormPatternWindow::clear()
+{
+    m_made.reset();
+    m_view->show(nullptr, limitOf(fabric()));
 }
 
 void FormPatternWindow::take(FormMade made)
@@ -504,7 +512,10 @@ void FormPatternWindow::make()
     outcome.edit.verb = {QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"), {}};
     const std::vector<ElementId> added = edits::addedPieces(outcome.edit);
     m_document.commit(std::move(outcome.edit));
-    emit patternMade(added);
+    Box3 where;
+    for (const Vec3& point : m_made->form.points)
+        where.extend(point);
+    emit patternMade(added, where);
     close();
 }
 

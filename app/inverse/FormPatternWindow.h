@@ -37,8 +37,8 @@ public:
     const FormMade* made() const { return m_made && !m_made->draft && m_upToDate ? m_made.get() : nullptr; }
 
 signals:
-    /// These patches were added: they shall be seen.
-    void patternMade(const std::vector<bolster::ElementId>& patches);
+    /// These patches were added, and their cover will lie there (mm): they shall be seen.
+    void patternMade(const std::vector<bolster::ElementId>& patches, const bolster::Box3& where);
 
 private:
     void build();
@@ -53,6 +53,7 @@ private:
     void setRunning(bool running);
     void stop();
     void tickLines(bool ticked);
+    void clear();
     void take(FormMade made);
     void say();
     void make();

@@ -31,7 +31,7 @@ constexpr double arrowsApart = 14;  // pixels
 constexpr double longestArrow = 45; // pixels
 constexpr int restOfSlider = 250;   // ms, before a part of the changes is measured
 
-/// How far points of a patch would move at most, mm.
+/// How far points of a patch would move at most with all of the change, mm.
 double movedBy(const FitFound& found, ElementId patch)
 {
     std::vector<Freedom> own;
@@ -152,7 +152,7 @@ void PatternFitWindow::find()
     m_document.cancelGesture();
     forget({});
     FitOrder wanted = m_order->order();
-    if (const QString missing = m_order->missing(wanted); !missing.isEmpty()) {
+    if (const QString missing = m_order->missing(wanted, [this] { find(); }); !missing.isEmpty()) {
         m_said->setText(missing);
         return;
     }
@@ -262,6 +262,10 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
         lines << tr("Off the area that is wanted: %1 before, %2 now")
                      .arg(percentText(before.sizeMost), share(&FitFigures::sizeMost));
     lines << tr("The cover moves by %1 (rms).").arg(length(&FitFigures::shapeRms));
+    if (now && missesLengths(m_wanted.order.locks, before, *now))
+        lines << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "
+                    "ease change.")
+                     .arg(lengthText(now->sewnMost));
     if (result.jumped)
         lines << tr("On the way a fold came or went: look at the cover before you take it.");
     if (!result.idle.empty())
@@ -322,9 +326,20 @@ void PatternFitWindow::fillPatches()
             elements.insert(m_found->freedoms[k].element);
     for (const ElementId id : elements) {
         auto* row =
-            new QTreeWidgetItem(m_patches, {displayName(m_start, id), lengthText(movedBy(*m_found, id), 1)});
+            new QTreeWidgetItem(m_patches, {displayName(m_start, id)});
         row->setData(0, Qt::UserRole, number(id));
         row->setCheckState(0, Qt::Checked);
+    }
+}
+
+/// By how much each of them moves with as much of the change as the slider says.
+void PatternFitWindow::sayMoves()
+{
+    const QSignalBlocker quiet(m_patches);
+    for (int row = 0; row < m_patches->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = m_patches->topLevelItem(row);
+        const double all = movedBy(*m_found, static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt()));
+        item->setText(1, lengthText(all * m_share->value() / m_share->maximum(), 1));
     }
 }
 
@@ -348,6 +363,7 @@ void PatternFitWindow::preview()
     if (!m_found)
         return;
     m_shareSaid->setText(percentText(m_share->value() / 100.0));
+    sayMoves();
     m_take->setEnabled(m_share->value() > 0);
     endMeasuring();
     const std::optional<FitFigures> known = showsAll() ? m_whole : std::nullopt;

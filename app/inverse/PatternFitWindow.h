@@ -57,6 +57,7 @@ private:
     void takePart(const PartFound& found);
     void forget(const QString& why);
     void fillPatches();
+    void sayMoves();
     Design changedDesign() const;
     void preview();
     void previewEnded();

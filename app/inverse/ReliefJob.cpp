@@ -4,6 +4,10 @@
 #include "CoverPicture.h"
 #include "SolveFailure.h"
 
+#include <algorithm>
+#include <map>
+#include <optional>
+
 namespace bolster {
 
 namespace {
@@ -20,36 +24,80 @@ VertexMap strainMap(const SurfaceMesh& cover, const Design& design)
     return map;
 }
 
+/// Of the cover as it is, and of those with a relief, each once.
+class ReliefPictures {
+public:
+    explicit ReliefPictures(const ReliefWanted& wanted)
+        : m_wanted(wanted)
+    {}
+
+    /// With the reliefs that have been solved, those first that gain most.
+    ReliefFound of(const ReliefList& list)
+    {
+        ReliefFound found;
+        found.number = m_wanted.number;
+        found.list = list;
+        std::erase_if(found.list.reliefs, [](const Relief& relief) { return !relief.solved; });
+        std::ranges::stable_sort(found.list.reliefs, std::ranges::greater(),
+                                 [](const Relief& relief) { return relief.solved->energy; });
+        const Design& design = m_wanted.input.design;
+        if (m_now.isNull()) {
+            VertexMap now = strainMap(*list.cover, design);
+            m_limit = now.limit;
+            m_now = picture(list.cover, design, std::move(now));
+        }
+        found.now = m_now;
+        for (const Relief& relief : found.list.reliefs) {
+            QImage& seen = m_seen[relief.element]; // one relief of each
+            if (seen.isNull()) {
+                const Design changed = design.with(relief.edit);
+                seen = picture(relief.cover, changed, strainMap(*relief.cover, changed));
+            }
+            found.pictures.push_back(seen);
+        }
+        return found;
+    }
+
+private:
+    QImage picture(const SurfaceMeshPtr& cover, const Design& shown, VertexMap map) const
+    {
+        if (m_wanted.order.limit)
+            map.allowed.assign(map.values.size(), static_cast<float>(*m_wanted.order.limit));
+        map.limit = m_limit; // the same colours in all of them
+        Scene scene = coverScene(cover, shown);
+        scene.map = std::make_shared<const VertexMap>(std::move(map));
+        return coverPicture(scene, m_wanted.camera, m_wanted.pictureSize);
+    }
+
+    const ReliefWanted& m_wanted;
+    double m_limit = 0;
+    QImage m_now;
+    std::map<ElementId, QImage> m_seen;
+};
+
 } // namespace
 
-ReliefFound findReliefs(const ReliefWanted& wanted, const std::function<void(double)>& progress,
-                        const std::stop_token& stop)
+ReliefFound findReliefs(const ReliefWanted& wanted, const ReliefsSeen& news, const std::stop_token& stop)
 {
-    ReliefFound found{wanted.number, {}, {}, {}};
+    ReliefFound found;
+    found.number = wanted.number;
     try {
-        found.list = proposeReliefs(wanted.input, wanted.order, progress, stop);
-        if (!found.list.cover || stop.stop_requested())
-            return found;
-        const Design& design = wanted.input.design;
-        const VertexMap now = strainMap(*found.list.cover, design);
-        const auto picture = [&](const SurfaceMeshPtr& cover, const Design& shown, VertexMap map) {
-            if (wanted.order.limit)
-                map.allowed.assign(map.values.size(), static_cast<float>(*wanted.order.limit));
-            map.limit = now.limit; // the same colours in all of them
-            Scene scene = coverScene(cover, shown);
-            scene.map = std::make_shared<const VertexMap>(std::move(map));
-            return coverPicture(scene, wanted.camera, wanted.pictureSize);
-        };
-        found.now = picture(found.list.cover, design, now);
-        for (const Relief& relief : found.list.reliefs) {
-            if (!relief.solved || stop.stop_requested())
-                break;
-            const Design changed = design.with(relief.edit);
-            found.pictures.push_back(picture(relief.cover, changed, strainMap(*relief.cover, changed)));
-        }
+        ReliefPictures pictures(wanted);
+        const ReliefList list = proposeReliefs(
+            wanted.input, wanted.order,
+            [&](double share, const ReliefList* known) {
+                const std::optional<ReliefFound> seen = known ? std::optional(pictures.of(*known)) : std::nullopt;
+                news(share, seen ? &*seen : nullptr);
+            },
+            stop);
+        if (list.cover && !stop.stop_requested())
+            found = pictures.of(list);
+        else
+            found.list = list;
     } catch (const std::exception& error) {
         found.list.problem = failureMessage(error);
     }
+    found.whole = true;
     return found;
 }
 

@@ -19,12 +19,15 @@ struct ReliefWanted {
 
 struct ReliefFound {
     int number = 0;
-    ReliefList list;
+    ReliefList list; ///< of the solved ones
     QImage now;                   ///< in the colours of its strain
-    std::vector<QImage> pictures; ///< of the solved reliefs, in the same colours
+    std::vector<QImage> pictures; ///< of these reliefs, in the same colours
+    bool whole = false;           ///< there is nothing more to come
 };
 
-ReliefFound findReliefs(const ReliefWanted& wanted, const std::function<void(double)>& progress,
-                        const std::stop_token& stop);
+/// How much is done, and when one more is solved what is known by then.
+using ReliefsSeen = std::function<void(double share, const ReliefFound* known)>;
+
+ReliefFound findReliefs(const ReliefWanted& wanted, const ReliefsSeen& news, const std::stop_token& stop);
 
 } // namespace bolster

@@ -40,7 +40,19 @@ ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverVi
     , m_view(view)
     , m_job(
           [this](const ReliefWanted& wanted, const std::stop_token& stop) {
-              return findReliefs(wanted, m_run->sharesOf(wanted.number), stop);
+              return findReliefs(
+                  wanted,
+                  [this, number = wanted.number](double share, const ReliefFound* known) {
+                      std::optional<ReliefFound> seen;
+                      if (known)
+                          seen = *known;
+                      m_run->later(number, [this, share, seen = std::move(seen)] {
+                          m_run->setShare(share);
+                          if (seen)
+                              take(*seen);
+                      });
+                  },
+                  stop);
           },
           [this](ReliefFound found) { take(std::move(found)); })
 {
@@ -136,14 +148,15 @@ void ReliefWindow::stop()
     m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
-    m_said->setText(tr("Stopped; nothing has changed."));
+    m_said->setText(m_found ? tr("Stopped. These are solved:") : tr("Stopped; nothing has changed."));
 }
 
 void ReliefWindow::take(ReliefFound found)
 {
     if (!m_run->isNow(found.number))
         return;
-    m_run->setRunning(false);
+    if (found.whole)
+        m_run->setRunning(false);
     if (!found.list.problem.empty()) {
         m_said->setText(translated(found.list.problem));
         return;
@@ -155,7 +168,10 @@ void ReliefWindow::take(ReliefFound found)
 void ReliefWindow::showFound()
 {
     const ReliefList& list = m_found->list;
-    if (!(list.now.area > 0))
+    clearCards();
+    if (!m_found->whole)
+        m_said->setText(tr("The best changes are being solved \u2026"));
+    else if (!(list.now.area > 0))
         m_said->setText(tr("Nothing is strained over the limit."));
     else if (m_found->pictures.empty())
         m_said->setText(
@@ -234,6 +250,8 @@ void ReliefWindow::addRelief(std::size_t place)
 void ReliefWindow::make(std::size_t place)
 {
     const Relief relief = m_found->list.reliefs[place];
+    if (m_run->running())
+        stop();
     m_found.reset(); // what the commit makes of the design is no surprise
     m_document.commit(relief.edit);
     forget(tr("Made. Undo takes it back; look again to see what helps now."));

@@ -12,6 +12,7 @@ namespace {
 constexpr double shareLinear = 0.2; // of the time, when pieces are solved
 constexpr int linearPieces = 1000;  // that are counted
 constexpr int piecesAtOnce = 10;
+constexpr double untilNext = 1.5; // times as many pieces as were known when figures were told last
 
 /// Returns false when it was stopped.
 bool addLinear(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const SweepNews& news,
@@ -21,6 +22,7 @@ bool addLinear(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const
     const Eigen::MatrixXf linear = sweep.linear([&](double done) { news(share * done, nullptr); }, stop);
     if (stop.stop_requested())
         return false;
+    found.unknown = sweep.unknown();
     found.p95 = linearP95(linear, wanted.tolerances, SweepFound::linearSamples, stop);
     found.influence =
         influences(linear, wanted.tolerances, vertexAreas(*found.nominal->topology, found.nominal->positions));
@@ -31,18 +33,9 @@ bool addLinear(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const
     return !stop.stop_requested();
 }
 
-void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const SweepNews& news,
-               const std::stop_token& stop)
+/// What is known by the pieces that have been solved.
+void countSolved(const std::vector<SweepSample>& all, double limit, SweepFound& found)
 {
-    std::vector<SweepSample> all;
-    while (std::ssize(all) < wanted.samples) {
-        const int count = std::min(piecesAtOnce, wanted.samples - static_cast<int>(all.size()));
-        std::vector<SweepSample> next = sweep.solve(all.size(), count, stop);
-        if (stop.stop_requested())
-            return;
-        std::ranges::move(next, std::back_inserter(all));
-        news(shareLinear + (1 - shareLinear) * static_cast<double>(all.size()) / wanted.samples, nullptr);
-    }
     std::vector<const SweepSample*> resting;
     for (const SweepSample& sample : all)
         if (!sample.outside.empty())
@@ -53,7 +46,29 @@ void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const
         return; // what is known is by linear covers
     found.p95 = solvedP95(resting);
     found.out = static_cast<int>(
-        std::ranges::count_if(resting, [&](const SweepSample* sample) { return sample->p95 > wanted.limit; }));
+        std::ranges::count_if(resting, [&](const SweepSample* sample) { return sample->p95 > limit; }));
+}
+
+void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const SweepNews& news,
+               const std::stop_token& stop)
+{
+    std::vector<SweepSample> all;
+    double next = piecesAtOnce;
+    while (std::ssize(all) < wanted.samples) {
+        const int count = std::min(piecesAtOnce, wanted.samples - static_cast<int>(all.size()));
+        std::vector<SweepSample> more = sweep.solve(all.size(), count, stop);
+        if (stop.stop_requested())
+            return;
+        std::ranges::move(more, std::back_inserter(all));
+        const bool tells = static_cast<double>(all.size()) >= next;
+        if (tells) {
+            countSolved(all, wanted.limit, found);
+            next = untilNext * static_cast<double>(all.size());
+        }
+        news(shareLinear + (1 - shareLinear) * static_cast<double>(all.size()) / wanted.samples,
+             tells ? &found : nullptr);
+    }
+    countSolved(all, wanted.limit, found);
 }
 
 } // namespace

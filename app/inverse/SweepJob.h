@@ -20,6 +20,7 @@ struct SweepFound {
     std::vector<float> p95;        ///< mm, per vertex: by linear covers, or by the solved ones
     std::vector<double> influence; ///< of each tolerance, as shares of the variance
     std::vector<double> mostMoved; ///< mm: how far each moves the cover anywhere
+    std::vector<std::size_t> unknown; ///< tolerances with which no cover was found
     int solved = 0;                ///< pieces by which p95 is known; 0: linear covers
     int resting = 0;               ///< of them, that came to rest
     int out = 0;                   ///< pieces out of the limit, of the solved ones or of all linear ones
@@ -30,6 +31,7 @@ struct SweepFound {
     double outShare() const;
 };
 
+/// How much is done, and what is known by then if that is more than before.
 using SweepNews = std::function<void(double share, const SweepFound* found)>;
 
 /// `news` from time to time: the share that is done, and what is known when there is more than before.

@@ -246,7 +246,12 @@ void SweepWindow::stop()
     m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
-    m_said->setText(m_found ? tr("Stopped. What is shown is from linear covers.") : tr("Stopped."));
+    if (!m_found) {
+        m_said->setText(tr("Stopped."));
+        return;
+    }
+    m_found->whole = true;
+    say(tr("Stopped."));
 }
 
 void SweepWindow::take(SweepFound found)
@@ -269,7 +274,8 @@ void SweepWindow::take(SweepFound found)
     showMap();
 }
 
-void SweepWindow::say()
+/// `lead`: a line that comes first.
+void SweepWindow::say(const QString& lead)
 {
     double squares = 0;
     float most = 0;
@@ -278,16 +284,22 @@ void SweepWindow::say()
         most = std::max(most, value);
     }
     const double rms = std::sqrt(squares / static_cast<double>(m_found->p95.size()));
-    QStringList lines{
+    QStringList lines(lead.isEmpty() ? 0 : 1, lead);
+    lines << QStringList{
         tr("95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.")
             .arg(lengthText(rms, 2), lengthText(static_cast<double>(most), 2)),
         tr("Out of the limit: %1 of the pieces.").arg(percentText(std::round(1000 * m_found->outShare()) / 1000))};
-    if (!m_found->whole)
-        lines << tr("That is as if covers were linear; pieces are being solved \u2026");
-    else if (m_found->resting == 0)
-        lines << tr("That is as if covers were linear.");
+    if (m_found->resting == 0)
+        lines << (m_found->whole ? tr("That is as if covers were linear.")
+                                 : tr("That is as if covers were linear; pieces are being solved \u2026"));
+    else if (!m_found->whole)
+        lines << tr("By %n solved pieces so far; more are being solved \u2026", nullptr, m_found->resting);
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
+    if (!m_found->unknown.empty())
+        lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.",
+                    nullptr, static_cast<int>(m_found->unknown.size()))
+                     .arg(m_titles[m_found->unknown.front()]);
     if (m_found->resting < m_found->solved)
         lines << tr("%n pieces have no cover at rest.", nullptr, m_found->solved - m_found->resting);
     m_said->setText(lines.join('\n'));

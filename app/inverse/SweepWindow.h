@@ -40,7 +40,7 @@ private:
     void find();
     void stop();
     void take(SweepFound found);
-    void say();
+    void say(const QString& lead = {});
     void fill();
     void showMap();
     void mapsChanged();

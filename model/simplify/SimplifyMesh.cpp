@@ -1,5 +1,7 @@
 #include "SimplifyMesh.h"
 
+#include "Leavings.h"
+
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 
 namespace bolster {
@@ -22,9 +23,6 @@ constexpr std::size_t mostAtOnce = 1'500'000;
 /// Of so many times as many triangles as are wanted a second pass over all pieces removes what the first one has to
 /// leave at their borders.
 constexpr std::size_t leftForSecondPass = 4;
-
-/// Three numbers of points for each triangle.
-using Corners = std::vector<std::uint32_t>;
 
 class Simplifying {
 public:
@@ -96,41 +94,6 @@ private:
         return all;
     }
 
-    /// The library leaves a fin here and there: two triangles of the same corners, one from either side, which hang
-    /// on one edge of the others. (Where there are many, that is how the mesh is: each face has its other side.)
-    static Corners withoutFins(const Corners& corners)
-    {
-        struct Triangle {
-            std::array<std::uint32_t, 3> sorted;
-            bool turned; ///< its corners run the other way
-            std::size_t first;
-        };
-        std::vector<Triangle> triangles;
-        for (std::size_t t = 0; t < corners.size(); t += 3) {
-            const std::array<std::uint32_t, 3> as{corners[t], corners[t + 1], corners[t + 2]};
-            std::array<std::uint32_t, 3> sorted = as;
-            std::ranges::sort(sorted);
-            const auto least = static_cast<std::size_t>(std::ranges::min_element(as) - as.begin());
-            triangles.push_back({sorted, as[(least + 1) % 3] != sorted[1], t});
-        }
-        std::ranges::sort(triangles, {}, [](const Triangle& t) { return std::tuple(t.sorted, t.turned, t.first); });
-        std::vector<bool> gone(corners.size() / 3, false);
-        std::size_t pairs = 0;
-        for (std::size_t k = 1; k < triangles.size(); ++k)
-            if (triangles[k].sorted == triangles[k - 1].sorted && triangles[k].turned != triangles[k - 1].turned) {
-                gone[triangles[k].first / 3] = gone[triangles[k - 1].first / 3] = true;
-                ++pairs;
-            }
-        if (pairs == 0 || pairs > corners.size() / 3 / 100)
-            return corners;
-        Corners kept;
-        for (std::size_t t = 0; t < corners.size(); t += 3)
-            if (!gone[t / 3])
-                kept.insert(kept.end(), corners.begin() + static_cast<std::ptrdiff_t>(t),
-                            corners.begin() + static_cast<std::ptrdiff_t>(t) + 3);
-        return kept;
-    }
-
     Corners fewer(Corners corners, std::size_t triangles, bool lockBorders)
     {
         takeLocal(corners);
@@ -149,7 +112,7 @@ private:
         for (const std::uint32_t point : m_points)
             m_local[point] = notTaken;
         m_points.clear();
-        return withoutFins(kept);
+        return withoutLeavings(std::move(kept));
     }
 
     /// By the numbers of the points among those that are used.

@@ -139,6 +139,7 @@ public:
         m_result.design = m_builder.now();
         adviseOnHolding();
         adviseOnEdges();
+        adviseOnSize();
         return std::move(m_result);
     }
 
@@ -331,6 +332,23 @@ private:
                                    "%1 mm long: %2. Make the mesh edges shorter for them, or their shape "
                                    "will be coarse"),
                  {numberText(m_order.edgeLength, 3), std::to_string(small)}});
+    }
+
+    /// Such as of a file whose numbers are millimetres and were taken for metres.
+    void adviseOnSize()
+    {
+        const double least = smallestEdgeLength(m_result.design);
+        if (m_order.edgeLength >= least)
+            return;
+        Box3 box;
+        for (const Vec3& point : m_form.points)
+            box.extend(point);
+        m_result.advice.push_back(
+            {QT_TRANSLATE_NOOP("Message", "The form is %1 mm large: with edges of %2 mm its cover has more triangles "
+                                          "than can be solved. See whether the unit is right; else make the mesh "
+                                          "edges at least %3 mm long"),
+             {numberText(box.sizes().maxCoeff(), 3), numberText(m_order.edgeLength, 3),
+              numberText(std::ceil(least), 6)}});
     }
 
     BSpline2 curveOf(const std::vector<Vec2>& row) const

@@ -90,4 +90,7 @@ struct FitFigures {
     double sewnMost = 0; ///< mm: how far the difference of a seam's sides is from what is wanted
 };
 
+/// Whether sides of seams, whose lengths were to stay, differ by more than a change may make of them.
+bool missesLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after);
+
 } // namespace bolster

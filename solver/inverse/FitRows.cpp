@@ -122,6 +122,12 @@ double seamDifference(const Design& design, const Seam& seam)
     return stretchLength(design, seam.b) - stretchLength(design, seam.a);
 }
 
+bool missesLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after)
+{
+    constexpr double unseen = 0.3; // mm: what nobody notices at the machine
+    return locks.lengths && locks.ease && after.sewnMost > before.sewnMost + unseen;
+}
+
 bool FitArea::hasWhole(ElementId patch) const
 {
     return (patches.empty() && spots.empty()) || patches.contains(patch);

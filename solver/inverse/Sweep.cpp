@@ -119,7 +119,8 @@ Eigen::MatrixXf Sweep::linear(const std::function<void(double)>& progress, const
     const int count = static_cast<int>(m_tolerances.all.size());
     Eigen::MatrixXf result = Eigen::MatrixXf::Zero(std::ssize(m_nominal->positions), 2 * count);
     std::atomic<int> done = 0;
-    std::mutex mutex; // of the progress
+    std::mutex mutex; // of the progress, and of what is unknown
+    m_unknown.clear();
     m_team->covers.forTasks(count, [&](WarmCover& cover, int k) {
         if (stop.stop_requested())
             return;
@@ -138,9 +139,12 @@ Eigen::MatrixXf Sweep::linear(const std::function<void(double)>& progress, const
             if (sides[side] || sides[1 - side])
                 result.col(2 * k + side) = sides[side] ? *sides[side] : Eigen::VectorXf(-*sides[1 - side]);
         const std::scoped_lock lock(mutex);
+        if (!sides[0] && !sides[1])
+            m_unknown.push_back(static_cast<std::size_t>(k));
         if (progress)
             progress(static_cast<double>(++done) / count);
     });
+    std::ranges::sort(m_unknown);
     return result;
 }
 

@@ -38,6 +38,8 @@ public:
     /// What each tolerance does to each vertex: mm outwards for the whole of its spread upwards, and downwards, in
     /// two columns: cloth that becomes slack does something else than cloth that becomes tight.
     Eigen::MatrixXf linear(const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
+    /// Tolerances of which it found no cover, neither upwards nor downwards, so that they seem to do nothing.
+    const std::vector<std::size_t>& unknown() const { return m_unknown; }
     /// Covers at rest of samples `first` .. `first + count - 1`: from the nominal one on the same triangles, or
     /// where that leads to none by themselves. Each follows from its number alone.
     std::vector<SweepSample> solve(std::uint64_t first, int count, const std::stop_token& stop = {});
@@ -56,6 +58,7 @@ private:
     double m_edgeLength;
     std::unique_ptr<Team> m_team;
     SurfaceMeshPtr m_nominal;
+    std::vector<std::size_t> m_unknown;
 };
 
 /// Of each vertex the size that 95 % of the samples do not exceed, mm. `linear` as of Sweep.

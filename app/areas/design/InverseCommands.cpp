@@ -102,10 +102,13 @@ void InverseCommands::show(QPointer<QDialog>& dialog, const Make& make)
 QDialog* InverseCommands::formWindow()
 {
     auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, &m_parts.window);
-    connect(window, &FormPatternWindow::patternMade, this, [this](const std::vector<ElementId>& added) {
-        m_parts.selection.set({added.begin(), added.end()});
-        m_parts.pattern.navigation().fitAll();
-    });
+    connect(window, &FormPatternWindow::patternMade, this,
+            [this](const std::vector<ElementId>& added, const Box3& where) {
+                m_parts.selection.set({added.begin(), added.end()});
+                m_parts.pattern.navigation().fitAll();
+                if (CoverNavigation& cover = m_parts.cover.navigation(); !cover.inPicture(where))
+                    cover.fit(where);
+            });
     return window;
 }
 

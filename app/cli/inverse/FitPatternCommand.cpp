@@ -104,7 +104,13 @@ AreaSpot spotOf(const std::string& text, const Design& design)
     }
     if (!known || !(values[2] > 0))
         throw UsageError("--area takes PATCH:X,Y,R in mm, such as Seat:120,40,60, not \"" + text + "\"");
-    return {patchNamed(design, text.substr(0, colon)), {values[0], values[1]}, values[2]};
+    const AreaSpot spot{patchNamed(design, text.substr(0, colon)), {values[0], values[1]}, values[2]};
+    const Box2 box = design.find<Patch>(spot.patch)->outline.boundingBox();
+    if (box.exteriorDistance(spot.at) > spot.radius)
+        throw UsageError("--area " + text + ": nothing of the patch is there; it goes from " +
+                         numberText(box.min().x(), 4) + "," + numberText(box.min().y(), 4) + " to " +
+                         numberText(box.max().x(), 4) + "," + numberText(box.max().y(), 4) + " mm");
+    return spot;
 }
 
 /// "seam:12=Ridge": what is before the sign, and after it. Throws UsageError without the sign.
@@ -155,12 +161,19 @@ bool addWish(const std::string& goal, const Design& design, FitGoals& goals)
     if (colon == std::string::npos || (kind != "smooth" && kind != "seam" && kind != "size"))
         return false;
     const std::string text = goal.substr(colon + 1);
-    if (kind == "smooth")
+    if (kind == "smooth") {
         goals.smooth.insert(patchNamed(design, text));
-    else if (kind == "seam")
-        goals.seams.push_back(seamGoal(goal, text, design));
-    else
-        goals.sizes.push_back(sizeGoal(goal, text, design));
+    } else if (kind == "seam") {
+        const SeamGoal more = seamGoal(goal, text, design);
+        if (std::ranges::count(goals.seams, more.seam, &SeamGoal::seam) > 0)
+            throw UsageError("--to " + goal + ": that seam runs along another curve already");
+        goals.seams.push_back(more);
+    } else {
+        const SizeGoal more = sizeGoal(goal, text, design);
+        if (std::ranges::count(goals.sizes, more.patch, &SizeGoal::patch) > 0)
+            throw UsageError("--to " + goal + ": that patch has been given a size already");
+        goals.sizes.push_back(more);
+    }
     return true;
 }
 
@@ -194,9 +207,12 @@ void readFreedoms(const Arguments& arguments, const OpenedDesign& opened, Asked&
 {
     const Design& design = opened.design;
     const QString text = arguments.has("--freedom") ? arguments.path("--freedom") : "outlines";
+    bool lockedAll = false; // if nothing remains
     const auto add = [&](std::vector<Freedom> more) {
         for (Freedom& freedom : more)
-            if (!asked.held.contains(freedom.element))
+            if (asked.held.contains(freedom.element))
+                lockedAll = true;
+            else
                 asked.order.freedoms.push_back(std::move(freedom));
     };
     const std::vector<std::string> words = wordsOf(text, "--freedom");
@@ -227,7 +243,8 @@ void readFreedoms(const Arguments& arguments, const OpenedDesign& opened, Asked&
     if (design.count<Patch>() == 0)
         throw UsageError("the design has no patch: there is no pattern to fit");
     if (asked.order.freedoms.empty())
-        throw UsageError("the design has nothing of what --freedom names");
+        throw UsageError(lockedAll ? "--lock patch: holds all of what --freedom names"
+                                   : "the design has nothing of what --freedom names");
 }
 
 std::string asText(const Message& problem)
@@ -334,12 +351,16 @@ void printOutcome(const FitOrder& order, const FitResult& result)
         return;
     }
     printResult("after:  " + reachedText(order.goals, result.after));
-    printResult("points of the pattern have moved by " +
-                numberText(largestChange(order.freedoms, result.values), 3) + " mm at most, the cover by " +
-                numberText(result.after.shapeRms, 3) + " mm rms; sides of seams differ by " +
-                numberText(result.after.sewnMost, 2) + " mm more at most");
+    const double moved = largestChange(order.freedoms, result.values); // 0 when foam, pressure ... change alone
+    printResult((moved > 0 ? "points have moved by " + numberText(moved, 3) + " mm at most, " : "") +
+                "the cover has moved by " + numberText(result.after.shapeRms, 3) +
+                " mm rms; sides of seams differ by " + numberText(result.after.sewnMost, 2) + " mm more at most");
     for (const Message& note : result.notes)
         printError("warning: " + note.english());
+    if (missesLengths(order.locks, result.before, result.after))
+        printError("warning: the lengths of seams did not stay: sides differ by up to " +
+                   numberText(result.after.sewnMost, 2) + " mm more than is wanted. Let more change, or the ease, "
+                   "too (--freedom outlines,ease)");
     if (!result.idle.empty())
         printError("warning: " + counted(static_cast<std::int64_t>(result.idle.size()), "number") +
                    " of those that may change does nothing to the goal, such as " + result.idle.front());

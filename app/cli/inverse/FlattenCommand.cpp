@@ -8,6 +8,7 @@
 #include "MeshImport.h"
 #include "Output.h"
 #include "OutputFiles.h"
+#include "ProgressLine.h"
 #include "Solving.h"
 #include "Subcommands.h"
 
@@ -144,7 +145,11 @@ struct ReadForm {
 
 ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& arguments, const std::stop_token& stop)
 {
-    const ImportedMesh imported = importMesh(surface, {stop, {}, {}}, arguments.path("--by") == "faces");
+    ImportedMesh imported;
+    {
+        ProgressLine line("reading the form");
+        imported = importMesh(surface, {stop, {}, {}}, arguments.path("--by") == "faces");
+    }
     if (!imported.mesh) {
         printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
         return {{}, imported.problem.empty() ? otherFailure : badInput};
@@ -163,7 +168,11 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& argument
     const Vec3 size = mesh.boundingBox().sizes();
     printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
                 numberText(size.z(), 3) + " mm large");
-    ReadForm read{cutForm(mesh, cuts, stop)};
+    ReadForm read;
+    {
+        ProgressLine line("cutting the form");
+        read.form = cutForm(mesh, cuts, stop);
+    }
     printWarnings(read.form.notes);
     if (read.form.problem.empty())
         return read;
@@ -261,7 +270,11 @@ int flattenForm(std::span<const std::string> words)
     const auto [form, failure] = formOf(surface, std::move(cuts), arguments, interrupt.token());
     if (failure != done)
         return failure;
-    const std::vector<FlatPiece> flat = flatten(form, {order.fabric.poisson}, interrupt.token());
+    std::vector<FlatPiece> flat;
+    {
+        ProgressLine line("laying it flat");
+        flat = flatten(form, {order.fabric.poisson}, interrupt.token());
+    }
     if (interrupt.token().stop_requested()) {
         printError("error: interrupted");
         return otherFailure;

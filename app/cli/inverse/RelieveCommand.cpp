@@ -161,7 +161,7 @@ int relieve(std::span<const std::string> words)
         ProgressLine line("solving");
         list = proposeReliefs(
             {opened.design, opened.files}, order,
-            [&](double share) { line.say("solving, " + numberText(std::floor(100 * share), 3) + " %"); },
+            [&](double share, const ReliefList*) { line.say("solving, " + numberText(std::floor(100 * share), 3) + " %"); },
             interrupt.token());
     }
     if (interrupt.token().stop_requested())

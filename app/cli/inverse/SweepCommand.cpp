@@ -191,6 +191,15 @@ private:
         Json report{{"linear", {{"samples", m_count}, {"p95", asJson(linear)}}}};
         printResult("linear: 95 % of the samples stay within " + numberText(linear.rms, 3) +
                     " mm (rms over the cover), " + numberText(linear.most, 3) + " mm where it is most");
+        Json unknown = Json::array();
+        for (const std::size_t k : m_sweep.unknown())
+            unknown.push_back(m_spec.tolerances.all[k].name);
+        if (!unknown.empty()) {
+            printError("warning: with " + counted(std::ssize(unknown), "tolerance") +
+                       " no cover is found, such as " + unknown.front().get<std::string>() +
+                       ": the linear figures leave them out. Make them smaller");
+            report["linear"]["without_cover"] = std::move(unknown);
+        }
         if (!solved.empty()) {
             const auto out = std::ranges::count_if(solved, [&](const SweepSample& s) { return isOut(s, m_spec); });
             report["solved"] = {{"samples", solved.size()},

@@ -204,8 +204,8 @@ void solveRelief(const SolveInput& input, const std::optional<double>& limit, co
     relief.solved = {1 - with.energy / now.energy, 1 - with.area / now.area};
 }
 
-ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
-                          const std::function<void(double)>& progress, const std::stop_token& stop)
+ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order, const ReliefNews& news,
+                          const std::stop_token& stop)
 {
     ReliefList result;
     const SolveResult now = solveResting(input, {.threads = order.threads}, stop);
@@ -217,8 +217,8 @@ ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
     result.now = overLimitOf(*now.surface, input.design, order.limit);
     {
         const auto predicting = [&](double share) {
-            if (progress)
-                progress(sharePredicting * share);
+            if (news)
+                news(sharePredicting * share, nullptr);
         };
         Predictor predictor(input, order, predicting, stop);
         result.problem = predictor.problem();
@@ -229,9 +229,9 @@ ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
     const std::size_t best = bestFirst(result.reliefs, order.solved);
     for (std::size_t k = 0; k < best; ++k) {
         solveRelief(input, order.limit, result.now, order.threads, result.reliefs[k], stop);
-        if (progress)
-            progress(sharePredicting +
-                     (1 - sharePredicting) * static_cast<double>(k + 1) / static_cast<double>(best));
+        if (news && !stop.stop_requested())
+            news(sharePredicting + (1 - sharePredicting) * static_cast<double>(k + 1) / static_cast<double>(best),
+                 &result);
     }
     std::stable_sort(result.reliefs.begin(), result.reliefs.begin() + static_cast<std::ptrdiff_t>(best),
                      [](const Relief& a, const Relief& b) {

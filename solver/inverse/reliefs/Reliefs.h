@@ -48,11 +48,14 @@ struct ReliefList {
 /// "ease", "let-out", "move-seam", "corner", "dart", "continuity"
 const char* wordOf(Relief::Kind kind);
 
+/// How much is done, 0 to 1; and when one more is solved what is known by then, in no order yet.
+using ReliefNews = std::function<void(double share, const ReliefList* known)>;
+
 /// What gains nothing by prediction is left out. Predicted is from differences of covers at rest, strain by strain
 /// to the second order, at the best amount within the bound; of darts and continuity, which have no amount, from a
-/// cover. Deterministic. When stopped it is not complete. `progress`: the share that is done, 0 to 1.
-ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order,
-                          const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
+/// cover. Deterministic. When stopped it is not complete.
+ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order, const ReliefNews& news = {},
+                          const std::stop_token& stop = {});
 
 /// Solves the cover with that relief, from the start that depends on the design alone.
 void solveRelief(const SolveInput& input, const std::optional<double>& limit, const OverLimit& now, int threads,

@@ -144,6 +144,11 @@ void CoverNavigation::fitSelection()
         fitAll();
         return;
     }
+    fit(box);
+}
+
+void CoverNavigation::fit(const Box3& box)
+{
     Camera camera = m_camera;
     camera.fit(box);
     goTo(camera);

@@ -31,6 +31,7 @@ public:
     bool hasReturned() const { return m_returned; }
 
     void fitAll();
+    void fit(const Box3& box); ///< mm
     void fitSelection(); ///< everything when nothing that is shown is selected
     /// Turns smoothly and fits the whole scene, and this box (mm) with it.
     void setStandardView(bolster::CoverNavigation::StandardView view, const bolster::Box3& with = {});
