@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>Schaum ist dicker oder dünner</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>Schaum ist härter oder weicher</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>Zugabe einer Naht</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>Schnittteil ist größer oder kleiner</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>Fixierung liegt anderswo</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>Naht ist versetzt genäht</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5517,16 +5490,8 @@
         <translation>%1 Kanten der Form gehören zu mehr als zwei Flächen: Sie sind Ränder, dort wird nichts genäht</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 ist ringsum geschlossen und lässt sich nicht flach legen: teilen Sie es durch Gruppen, oder schneiden Sie bei einem kleineren Winkel</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 hat zu viele Löcher: schließen Sie sie, oder teilen Sie es durch Gruppen</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 hat einen Henkel wie eine Tasse und lässt sich nicht flach legen: teilen Sie es durch Gruppen, oder schneiden Sie bei einem kleineren Winkel</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5933,10 +5898,6 @@
         <translation>Wo ein Stück ein Loch hätte oder ein Ring wäre, ist es aufgeschnitten und wieder genäht, Anzahl der Schnitte: %1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 verläuft am Rand der Form: Da ist nichts zu schneiden</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1 ist längs des Fadenlaufs um %2 % gedehnt, der Stoff verträgt %3 %</translation>
     </message>
@@ -5987,6 +5948,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>der Datenträger von „%1“ ist voll, wo Arbeit vor Abstürzen geschützt wird; schaffen Sie Platz, und öffnen Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>Die Form ist %1 mm groß: mit Kanten von %2 mm hat ihr Bezug mehr Dreiecke, als sich lösen lassen. Prüfen Sie, ob die Einheit stimmt; sonst machen Sie die Netzkanten mindestens %3 mm lang</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>„%1“ gibt es schon; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 ist ringsum geschlossen und lässt sich nicht flach legen: teilen Sie es nach Gruppen oder CAD-Flächen, entlang von Linien oder wo es sich biegt</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 hat einen Henkel wie eine Tasse und lässt sich nicht flach legen: teilen Sie es nach Gruppen oder CAD-Flächen, entlang von Linien oder wo es sich biegt</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 verläuft entlang von %2: dort wird einmal geschnitten</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 verläuft am Rand der Form oder dort, wo sie ohnehin geschnitten wird: da ist nichts zu schneiden</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 wird um %2 % gedehnt, wenn es auf der Form liegt, mehr als jeder Stoff verträgt. Teilen Sie es, oder schneiden Sie es ein, wo es sich am stärksten wölbt</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8259,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>Angehalten. Die Liste ist die der Suche davor.</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>Der Scan liegt auf dem Bezug: es gibt nichts zu erklären.</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>Auch die wahrscheinlichste Ursache erklärt nur %1 davon: es können mehrere sein oder andere als diese.</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Schaum ist dicker oder dünner</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Schaum ist härter oder weicher</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Zugabe einer Naht</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Schnittteil ist größer oder kleiner</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fixierung liegt anderswo</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Naht ist versetzt genäht</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9300,6 +9321,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 und mehr</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1: Dehnung %2 (Effektivwert)</translation>
     </message>
 </context>
 <context>
@@ -10411,10 +10436,6 @@
         <translation>Von der Form entfernt: %1 vorher, %2 jetzt (quadratisches Mittel); %3 vorher, %4 jetzt (95 %)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>Über der Grenze: %1 des Bezugs vorher, %2 jetzt</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Der Bezug wandert um %1 (quadratisches Mittel).</translation>
     </message>
@@ -10500,6 +10521,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>Von den Änderungen wird jetzt nichts gezeigt: Bewegen Sie den Schieber, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>Seiten von Nähten sind um bis zu %1 stärker verschieden als gewünscht: ändern Sie auch die Nachbarn, oder lassen Sie die Mehrweite zu.</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>Über die Grenze gedehnt: vorher %1 der gemalten Fläche, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>Über die Grenze gedehnt: vorher %1 des Bezugs, jetzt %2</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>Das ist kaum näher und dehnt den Stoff stärker: lassen Sie anderes sich ändern, oder weniger davon.</translation>
     </message>
 </context>
 <context>
@@ -10767,6 +10804,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu.</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>Angehalten. Diese sind berechnet:</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>Die besten Änderungen werden berechnet …</translation>
     </message>
 </context>
 <context>
@@ -11966,10 +12011,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Davor werden zehntausend gezogen, als wären Bezüge linear; das dauert Sekunden</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>Ein Stück liegt außerhalb, wenn mehr als 5 % seines Bezugs weiter als das von ihrem Platz abweichen</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>Gez&amp;ogen</translation>
     </message>
@@ -11988,10 +12029,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>Bezüge mit jeder Toleranz werden berechnet …</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>Angehalten. Gezeigt ist das Ergebnis linearer Bezüge.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -12034,6 +12071,24 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>Der Entwurf hat sich inzwischen geändert: Ziehen Sie die Stücke neu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>Nach bisher %n berechnetem Stück; weitere werden berechnet …</numerusform>
+            <numerusform>Nach bisher %n berechneten Stücken; weitere werden berechnet …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>Mit %n Toleranz findet sich kein Bezug, nämlich: %1. Sie ist hier nicht dabei: machen Sie sie kleiner.</numerusform>
+            <numerusform>Mit %n Toleranzen findet sich kein Bezug, so mit: %1. Sie sind hier nicht dabei: machen Sie sie kleiner.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>Ein Stück liegt außerhalb, wenn mehr als 5 % seines Bezugs weiter als das von ihrem Platz abweichen</translation>
     </message>
 </context>
 <context>

@@ -308,5 +308,19 @@
             <numerusform>%n pieces have no cover at rest.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>By %n solved piece so far; more are being solved …</numerusform>
+            <numerusform>By %n solved pieces so far; more are being solved …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>With %n tolerance no cover is found: %1. It is left out of this: make it smaller.</numerusform>
+            <numerusform>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

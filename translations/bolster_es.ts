@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>Espuma más gruesa o más fina</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>Espuma más dura o más blanda</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>Margen de una costura</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>Pieza más grande o más pequeña</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>Fijación en otro lugar</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>Costura cosida con desfase</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5517,16 +5490,8 @@
         <translation>%1 aristas de la forma pertenecen a más de dos caras: son bordes, allí no se cose nada</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 está cerrado por todas partes y no se puede aplanar: divídalo por grupos o corte con un ángulo menor</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 tiene demasiados agujeros: ciérrelos o divídalo por grupos</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 tiene un asa, como una taza, y no se puede aplanar: divídalo por grupos o corte con un ángulo menor</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5933,10 +5898,6 @@
         <translation>Donde una pieza tendría un agujero o sería un anillo se corta y se vuelve a coser, número de cortes: %1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 corre por el borde de la forma: no hay nada que cortar</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1 está estirada un %2&#xa0;% al hilo; su tela admite un %3&#xa0;%</translation>
     </message>
@@ -5987,6 +5948,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>el disco de «%1», donde el trabajo se protege de fallos, está lleno; libere espacio y ábralo de nuevo</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>La forma mide %1 mm: con aristas de %2 mm su funda tiene más triángulos de los que se pueden resolver. Compruebe si la unidad es correcta; si lo es, haga las aristas de la malla de al menos %3 mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>«%1» ya existe; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 está cerrada por todas partes y no se puede aplanar: divídala por grupos o caras CAD, a lo largo de líneas o donde se dobla</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 tiene un asa, como una taza, y no se puede aplanar: divídala por grupos o caras CAD, a lo largo de líneas o donde se dobla</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 va a lo largo de %2: allí se corta una sola vez</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 va por el borde de la forma o por donde ya se corta: no hay nada que cortar</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 se deforma un %2 % sobre la forma, más de lo que soporta cualquier tela. Divídala, o haga un corte donde más se abomba</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8259,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>Detenido. La lista es la de la búsqueda anterior.</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>El escaneo coincide con la funda: no hay nada que explicar.</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>Incluso la causa más probable explica solo el %1: puede haber varias, u otras distintas.</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Espuma más gruesa o más fina</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Espuma más dura o más blanda</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Margen de una costura</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Pieza más grande o más pequeña</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fijación en otro lugar</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Costura cosida con desfase</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9300,6 +9321,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 y más</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1: deformación %2 (rms)</translation>
     </message>
 </context>
 <context>
@@ -10411,10 +10436,6 @@
         <translation>Respecto a la forma: antes %1, ahora %2 (RMS); antes %3, ahora %4 (95&#xa0;%)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>Por encima del límite: antes %1 de la funda, ahora %2</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La funda se mueve %1 (RMS).</translation>
     </message>
@@ -10500,6 +10521,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>Ahora no se muestra ninguno de los cambios: mueva el control deslizante para verlos.</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>Los lados de las costuras difieren hasta %1 más de lo deseado: cambie también las piezas vecinas, o deje variar el embebido.</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>Deformado por encima del límite: antes %1 de la zona pintada, ahora %2</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>Deformado por encima del límite: antes %1 de la funda, ahora %2</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>Apenas se acerca y deforma más la tela: deje cambiar otra cosa, o menos.</translation>
     </message>
 </context>
 <context>
@@ -10767,6 +10804,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>El diseño ha cambiado entretanto: busque de nuevo.</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>Detenido. Estos están calculados:</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>Se calculan los mejores cambios…</translation>
     </message>
 </context>
 <context>
@@ -11966,10 +12011,6 @@ Lo que ve es donde estaba la tela al final.</translation>
         <translation>Antes se generan diez mil como si las fundas fueran lineales, lo que lleva segundos</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>Una pieza queda fuera cuando más del 5&#xa0;% de su funda está más lejos de donde debería</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>Generad&amp;as</translation>
     </message>
@@ -11988,10 +12029,6 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>Calculando las fundas con cada tolerancia…</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>Detenido. Lo que se muestra procede de fundas lineales.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -12034,6 +12071,24 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>El diseño ha cambiado entretanto: genere las piezas de nuevo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>Según %n pieza calculada hasta ahora; se calculan más…</numerusform>
+            <numerusform>Según %n piezas calculadas hasta ahora; se calculan más…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>Con %n tolerancia no se halla funda: %1. Queda fuera de esto: redúzcala.</numerusform>
+            <numerusform>Con %n tolerancias no se halla funda, como con: %1. Quedan fuera de esto: redúzcalas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>Una pieza queda fuera cuando más del 5&#xa0;% de su funda está más lejos de donde debería</translation>
     </message>
 </context>
 <context>

@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>Mousse plus épaisse ou plus mince</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>Mousse plus dure ou plus souple</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>Marge d’une couture</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>Pièce plus grande ou plus petite</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>Fixation à un autre endroit</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>Couture cousue décalée</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5517,16 +5490,8 @@
         <translation>%1 arêtes de la forme appartiennent à plus de deux faces&#x202f;: ce sont des bordures, rien n’y est cousu</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 est fermée de toutes parts et ne se met pas à plat&#x202f;: divisez-la par groupes, ou coupez à un angle plus petit</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 a trop de trous&#x202f;: fermez-les, ou divisez-la par groupes</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 a une anse, comme une tasse, et ne se met pas à plat&#x202f;: divisez-la par groupes, ou coupez à un angle plus petit</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5933,10 +5898,6 @@
         <translation>Là où une pièce aurait un trou ou serait un anneau, elle est coupée et recousue, nombre de coupes&#x202f;: %1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 suit le bord de la forme&#x202f;: il n’y a rien à couper</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1 est étirée de %2&#x202f;% en droit-fil, son tissu admet %3&#x202f;%</translation>
     </message>
@@ -5987,6 +5948,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>le disque de «&#xa0;%1&#xa0;», où le travail est protégé des plantages, est plein&#x202f;; faites de la place et rouvrez-le</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>La forme mesure %1 mm&#x202f;: avec des arêtes de %2 mm, sa housse a plus de triangles qu’on ne peut en résoudre. Vérifiez l’unité&#x202f;; sinon, donnez aux arêtes du maillage au moins %3 mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>«&#x202f;%1&#x202f;» existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 est fermée de tous côtés et ne peut pas être mise à plat&#x202f;: divisez-la par groupes ou faces CAO, le long de lignes, ou là où elle se plie</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 a une anse, comme une tasse, et ne peut pas être mise à plat&#x202f;: divisez-la par groupes ou faces CAO, le long de lignes, ou là où elle se plie</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 suit %2&#x202f;: on n’y coupe qu’une fois</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 suit le bord de la forme, ou un endroit déjà coupé&#x202f;: il n’y a rien à couper</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 est déformée de %2&#x202f;% lorsqu’elle est sur la forme, plus qu’aucun tissu ne supporte. Divisez-la, ou entaillez-la là où elle est le plus bombée</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8259,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>Arrêté. La liste est celle de la recherche précédente.</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>Le scan est sur la housse&#x202f;: il n’y a rien à expliquer.</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>Même la cause la plus probable n’en explique que %1&#x202f;: il peut y en avoir plusieurs, ou d’autres que celles-ci.</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Mousse plus épaisse ou plus mince</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Mousse plus dure ou plus souple</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Marge d’une couture</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Pièce plus grande ou plus petite</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fixation à un autre endroit</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Couture cousue décalée</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9300,6 +9321,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 et plus</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1&#x202f;: déformation %2 (rms)</translation>
     </message>
 </context>
 <context>
@@ -10411,10 +10436,6 @@
         <translation>De la forme&#x202f;: %1 avant, %2 maintenant (RMS)&#x202f;; %3 avant, %4 maintenant (95&#x202f;%)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>Au-delà de la limite&#x202f;: %1 de la housse avant, %2 maintenant</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La housse bouge de %1 (RMS).</translation>
     </message>
@@ -10500,6 +10521,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>Rien des modifications n’est montré maintenant&#x202f;: déplacez le curseur pour les voir.</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>Les côtés des coutures diffèrent de jusqu’à %1 de plus que voulu&#x202f;: modifiez aussi les voisines, ou laissez varier l’embu.</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>Déformé au-delà de la limite&#x202f;: %1 de la zone peinte avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>Déformé au-delà de la limite&#x202f;: %1 de la housse avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>C’est à peine plus près, et le tissu est plus déformé&#x202f;: laissez changer autre chose, ou moins.</translation>
     </message>
 </context>
 <context>
@@ -10767,6 +10804,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>Arrêté. Celles-ci sont calculées&#x202f;:</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>Calcul des meilleures modifications…</translation>
     </message>
 </context>
 <context>
@@ -11966,10 +12011,6 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <translation>Avant eux, dix mille sont tirés comme si les housses étaient linéaires, ce qui prend quelques secondes</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>Un exemplaire est hors limite quand plus de 5&#x202f;% de sa housse s’écarte davantage de sa place</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>Tirés &amp;au hasard</translation>
     </message>
@@ -11988,10 +12029,6 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>Calcul de housses avec chaque tolérance…</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>Arrêté. Ce qui est affiché vient de housses linéaires.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -12034,6 +12071,24 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>Le modèle a changé entre-temps&#x202f;: tirez de nouveau les exemplaires.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>D’après %n exemplaire calculé jusqu’ici&#x202f;; d’autres sont en cours…</numerusform>
+            <numerusform>D’après %n exemplaires calculés jusqu’ici&#x202f;; d’autres sont en cours…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>Avec %n tolérance aucune housse n’est trouvée&#x202f;: %1. Elle n’est pas comprise ici&#x202f;: réduisez-la.</numerusform>
+            <numerusform>Avec %n tolérances aucune housse n’est trouvée, comme avec&#x202f;: %1. Elles ne sont pas comprises ici&#x202f;: réduisez-les.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>Un exemplaire est hors limite quand plus de 5&#x202f;% de sa housse s’écarte davantage de sa place</translation>
     </message>
 </context>
 <context>

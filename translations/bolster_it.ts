@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>Espanso più spesso o più sottile</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>Espanso più duro o più morbido</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>Margine di una cucitura</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>Pezzo più grande o più piccolo</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>Fissaggio in un’altra posizione</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>Cucitura sfalsata</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5517,16 +5490,8 @@
         <translation>%1 spigoli della forma appartengono a più di due facce: sono bordi, lì non si cuce nulla</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 è chiuso tutt’intorno e non può essere steso in piano: dividerlo per gruppi o tagliare a un angolo minore</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 ha troppi fori: chiuderli o dividerlo per gruppi</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 ha un manico, come una tazza, e non può essere steso in piano: dividerlo per gruppi o tagliare a un angolo minore</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5933,10 +5898,6 @@
         <translation>Dove un pezzo avrebbe un foro o sarebbe un anello è tagliato e ricucito, numero di tagli: %1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 corre lungo il bordo della forma: non c’è nulla da tagliare</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1 si allunga del %2&#xa0;% in drittofilo, il suo tessuto tollera il %3&#xa0;%</translation>
     </message>
@@ -5987,6 +5948,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>il disco di «%1», dove il lavoro è protetto dai blocchi, è pieno; faccia spazio e lo riapra</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>La forma è grande %1 mm: con spigoli di %2 mm il suo rivestimento ha più triangoli di quanti se ne possano risolvere. Controlli se l’unità è giusta; altrimenti faccia gli spigoli della mesh lunghi almeno %3 mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>«%1» esiste già; scelga un altro nome</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 è chiusa tutt’intorno e non si può stendere: la divida per gruppi o facce CAD, lungo linee o dove si piega</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 ha un manico, come una tazza, e non si può stendere: la divida per gruppi o facce CAD, lungo linee o dove si piega</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 corre lungo %2: lì si taglia una volta sola</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 corre lungo il bordo della forma, o dove la si taglia comunque: non c’è niente da tagliare</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 si deforma del %2 % quando sta sulla forma, più di quanto regga qualsiasi tessuto. La divida, o la incida dove è più bombata</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8259,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>Interrotto. L’elenco è quello della ricerca precedente.</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>La scansione sta sul rivestimento: non c’è niente da spiegare.</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>Anche la causa più probabile ne spiega solo %1: possono essere più d’una, o altre da queste.</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Espanso più spesso o più sottile</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Espanso più duro o più morbido</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Margine di una cucitura</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Pezzo più grande o più piccolo</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Fissaggio in un’altra posizione</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Cucitura sfalsata</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9300,6 +9321,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 e più</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1: deformazione %2 (rms)</translation>
     </message>
 </context>
 <context>
@@ -10411,10 +10436,6 @@
         <translation>Dalla forma: %1 prima, %2 ora (rms); %3 prima, %4 ora (95&#xa0;%)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>Oltre il limite: %1 del rivestimento prima, %2 ora</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Il rivestimento si sposta di %1 (rms).</translation>
     </message>
@@ -10500,6 +10521,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>Ora delle modifiche non si mostra nulla: sposti il cursore per vederle.</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>I lati delle cuciture differiscono fino a %1 più del voluto: cambi anche i vicini, o lasci variare l’agio.</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>Deformato oltre il limite: prima %1 dell’area dipinta, ora %2</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>Deformato oltre il limite: prima %1 del rivestimento, ora %2</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>È appena più vicino e deforma di più il tessuto: lasci cambiare altro, o meno.</translation>
     </message>
 </context>
 <context>
@@ -10767,6 +10804,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>Nel frattempo il modello è cambiato: cercare di nuovo.</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>Fermato. Queste sono calcolate:</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>Si calcolano le modifiche migliori…</translation>
     </message>
 </context>
 <context>
@@ -11966,10 +12011,6 @@ Si vede il tessuto com’era alla fine.</translation>
         <translation>Prima se ne generano diecimila come se i rivestimenti fossero lineari, il che richiede secondi</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>Un pezzo è fuori limite quando più del 5&#xa0;% del rivestimento dista di più da dove dovrebbe essere</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>Ge&amp;nerati</translation>
     </message>
@@ -11988,10 +12029,6 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>Calcolo dei rivestimenti con ogni tolleranza…</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>Interrotto. Ciò che è mostrato proviene da rivestimenti lineari.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -12034,6 +12071,24 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>Nel frattempo il modello è cambiato: generare di nuovo i pezzi.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>In base a %n pezzo calcolato finora; altri sono in calcolo…</numerusform>
+            <numerusform>In base a %n pezzi calcolati finora; altri sono in calcolo…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>Con %n tolleranza non si trova un rivestimento: %1. Qui non è compresa: la riduca.</numerusform>
+            <numerusform>Con %n tolleranze non si trova un rivestimento, come con: %1. Qui non sono comprese: le riduca.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>Un pezzo è fuori limite quando più del 5&#xa0;% del rivestimento dista di più da dove dovrebbe essere</translation>
     </message>
 </context>
 <context>

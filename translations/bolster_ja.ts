@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>フォームが厚い、または薄い</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>フォームが硬い、または軟らかい</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>縫い目の縫い代</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>パーツが大きい、または小さい</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>固定の位置がずれている</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>縫い目がずれて縫われている</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5513,16 +5486,8 @@
         <translation>形状のエッジ %1 本が 3 枚以上の面に属しています。境界とみなし、縫いません</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 は全体が閉じていて平らに展開できません。グループで分割するか、より小さい角度で切ってください</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 は穴が多すぎます。穴をふさぐか、グループで分割してください</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 にはカップの取っ手のような輪があり、平らに展開できません。グループで分割するか、より小さい角度で切ってください</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5929,10 +5894,6 @@
         <translation>穴や輪になるパーツは切り開いて縫い直しています。切り込みの数: %1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 は形状の縁に沿っています。切る所がありません</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1 は地の目方向に %2&#xa0;% 伸びています。生地の許容は %3&#xa0;% です</translation>
     </message>
@@ -5983,6 +5944,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>作業をクラッシュから守る場所「%1」のディスクがいっぱいです。空きを作り、もう一度開いてください</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>形状の大きさは %1 mm です。辺の長さ %2 mm では、カバーの三角形が多すぎて解けません。単位が正しいか確認し、正しければメッシュの辺を %3 mm 以上にしてください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>「%1」はすでにあります。別の名前を選んでください</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 は全周が閉じていて平らに展開できません。グループや CAD 面、線、または曲がる所で分割してください</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 にはカップのような取っ手があり、平らに展開できません。グループや CAD 面、線、または曲がる所で分割してください</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 は %2 に沿っています。そこは 1 回だけ切ります</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 は形状の縁、またはすでに切る所に沿っています。切るものはありません</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 は形状の上で %2 % ひずみ、どの布地の限度も超えます。分割するか、最もふくらむ所に切り込みを入れてください</translation>
     </message>
 </context>
 <context>
@@ -8264,6 +8253,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>停止しました。一覧は前回の検索の結果です。</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>スキャンはカバーと一致しています。説明することはありません。</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>最も可能性の高い原因でも %1 しか説明できません。原因が複数か、これら以外かもしれません。</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>フォームが厚い、または薄い</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>フォームが硬い、または軟らかい</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>縫い目の縫い代</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>パーツが大きい、または小さい</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>固定の位置がずれている</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>縫い目がずれて縫われている</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9286,6 +9307,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 以上</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1: ひずみ %2（rms）</translation>
     </message>
 </context>
 <context>
@@ -10385,10 +10410,6 @@
         <translation>形状との差: 変更前 %1、現在 %2 (RMS)。変更前 %3、現在 %4 (95&#xa0;%)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>限界超過: 変更前はカバーの %1、現在 %2</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>カバーの移動量は %1 (RMS) です。</translation>
     </message>
@@ -10473,6 +10494,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>変更は今は何も表示されていません。スライダーを動かすと表示されます。</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>縫い目の両側の長さの差が望みより最大 %1 大きくなっています。隣のパーツも変えるか、いせを変えられるようにしてください。</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>限度を超えたひずみ：塗った範囲の %1（前）、%2（今）</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>限度を超えたひずみ：カバーの %1（前）、%2（今）</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>ほとんど近づかず、布地のひずみが増えています。別のものを変えるか、変更を少なくしてください。</translation>
     </message>
 </context>
 <context>
@@ -10739,6 +10776,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>その間にデザインが変わりました。探し直してください。</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>停止しました。計算済みのもの：</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>最も良い変更を計算しています…</translation>
     </message>
 </context>
 <context>
@@ -11933,10 +11978,6 @@ What you see is where the cloth was at the end.</source>
         <translation>その前に線形近似で 1 万個を抽出します。数秒で済みます</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>カバーの 5 % 超が本来の位置からこの値より離れている個体を、限界超過とします</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>抽出方法(&amp;A)</translation>
     </message>
@@ -11955,10 +11996,6 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>各公差でのカバーを計算しています…</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>停止しました。表示は線形近似によるものです。</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -11999,6 +12036,22 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>その間にデザインが変わりました。個体を抽出し直してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>これまでに計算した個体 %n 個による結果です。計算を続けています…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>公差 %n 個ではカバーが求まりません（例：%1）。ここには含まれません。小さくしてください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>カバーの 5 % 超が本来の位置からこの値より離れている個体を、限界超過とします</translation>
     </message>
 </context>
 <context>

@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>Pianka jest grubsza lub cieńsza</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>Pianka jest twardsza lub miększa</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>Naddatek szwu</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>Element jest większy lub mniejszy</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>Mocowanie leży gdzie indziej</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>Szew jest zszyty z przesunięciem</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5521,16 +5494,8 @@
         <translation>krawędzie formy należące do więcej niż dwóch ścian: %1; to brzegi, nic się tam nie szyje</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>kawałek %1 jest zamknięty dookoła i nie da się rozłożyć na płasko: podziel według grup lub tnij przy mniejszym kącie</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 ma za dużo otworów: zamknij je lub podziel według grup</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>kawałek %1 ma ucho jak filiżanka i nie da się rozłożyć na płasko: podziel według grup lub tnij przy mniejszym kącie</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5937,10 +5902,6 @@
         <translation>Gdzie element miałby otwór lub byłby pierścieniem, jest rozcięty i zszyty, liczba cięć: %1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 biegnie wzdłuż brzegu formy: nie ma czego ciąć</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1: rozciągnięcie wzdłuż nitki %2%, materiał dopuszcza %3%</translation>
     </message>
@@ -5991,6 +5952,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>dysk z „%1”, gdzie praca jest chroniona przed awarią, jest pełny; zwolnij miejsce i otwórz ponownie</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>Bryła ma %1 mm: przy krawędziach %2 mm jej pokrowiec ma więcej trójkątów, niż da się rozwiązać. Proszę sprawdzić jednostkę; jeśli jest dobra, krawędzie siatki muszą mieć co najmniej %3 mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>„%1” już istnieje; proszę wybrać inną nazwę</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 jest zamknięte dookoła i nie da się rozłożyć: proszę podzielić je według grup lub ścian CAD, wzdłuż linii albo tam, gdzie się zgina</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 ma ucho, jak kubek, i nie da się rozłożyć: proszę podzielić je według grup lub ścian CAD, wzdłuż linii albo tam, gdzie się zgina</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 biegnie wzdłuż %2: tam tnie się raz</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 biegnie wzdłuż brzegu bryły albo tam, gdzie i tak się ją tnie: nie ma czego ciąć</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 odkształca się na bryle o %2 %, więcej, niż zniesie jakakolwiek tkanina. Proszę je podzielić albo naciąć tam, gdzie najbardziej się wybrzusza</translation>
     </message>
 </context>
 <context>
@@ -8276,6 +8265,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>Zatrzymano. Lista pochodzi z poprzedniego wyszukiwania.</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>Skan leży na pokrowcu: nie ma czego wyjaśniać.</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>Nawet najbardziej prawdopodobna przyczyna wyjaśnia tylko %1: może być ich kilka albo inne niż te.</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>Pianka jest grubsza lub cieńsza</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>Pianka jest twardsza lub miększa</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>Naddatek szwu</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>Element jest większy lub mniejszy</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>Mocowanie leży gdzie indziej</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>Szew jest zszyty z przesunięciem</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9314,6 +9335,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 i więcej</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1: odkształcenie %2 (rms)</translation>
     </message>
 </context>
 <context>
@@ -10437,10 +10462,6 @@
         <translation>Od formy: %1 przedtem, %2 teraz (RMS); %3 przedtem, %4 teraz (95%)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>Powyżej granicy: %1 pokrowca przedtem, %2 teraz</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Pokrowiec przesuwa się o %1 (RMS).</translation>
     </message>
@@ -10527,6 +10548,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>Teraz nie widać żadnej ze zmian: przesuń suwak, aby je zobaczyć.</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>Boki szwów różnią się o nawet %1 bardziej, niż trzeba: proszę zmienić też sąsiednie elementy albo pozwolić na zmianę wdania.</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>Odkształcone ponad granicę: przedtem %1 zamalowanego obszaru, teraz %2</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>Odkształcone ponad granicę: przedtem %1 pokrowca, teraz %2</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>To prawie nie zbliża, a bardziej odkształca tkaninę: proszę pozwolić zmienić się czemuś innemu albo mniej.</translation>
     </message>
 </context>
 <context>
@@ -10795,6 +10832,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>Model się tymczasem zmienił: szukaj ponownie.</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>Zatrzymano. Te są obliczone:</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>Obliczanie najlepszych zmian…</translation>
     </message>
 </context>
 <context>
@@ -11999,10 +12044,6 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         <translation>Przed nimi losuje się dziesięć tysięcy w przybliżeniu liniowym, co trwa kilka sekund</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>Sztuka przekracza granicę, gdy ponad 5% jej pokrowca leży dalej od właściwego miejsca</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>L&amp;osowanie</translation>
     </message>
@@ -12021,10 +12062,6 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>Obliczanie pokrowców z każdą tolerancją…</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>Zatrzymano. Pokazano wynik przybliżenia liniowego.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -12069,6 +12106,26 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>Model się tymczasem zmienił: losuj sztuki ponownie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>Na podstawie %n obliczonej dotąd sztuki; obliczane są następne…</numerusform>
+            <numerusform>Na podstawie %n obliczonych dotąd sztuk; obliczane są następne…</numerusform>
+            <numerusform>Na podstawie %n obliczonych dotąd sztuk; obliczane są następne…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>Przy %n tolerancji nie ma pokrowca: %1. Pominięto ją tutaj: proszę ją zmniejszyć.</numerusform>
+            <numerusform>Przy %n tolerancjach nie ma pokrowca, na przykład: %1. Pominięto je tutaj: proszę je zmniejszyć.</numerusform>
+            <numerusform>Przy %n tolerancjach nie ma pokrowca, na przykład: %1. Pominięto je tutaj: proszę je zmniejszyć.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>Sztuka przekracza granicę, gdy ponad 5% jej pokrowca leży dalej od właściwego miejsca</translation>
     </message>
 </context>
 <context>

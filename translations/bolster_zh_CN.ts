@@ -167,33 +167,6 @@
     </message>
 </context>
 <context>
-    <name>CauseWindow</name>
-    <message>
-        <source>Foam is thicker or thinner</source>
-        <translation>泡沫偏厚或偏薄</translation>
-    </message>
-    <message>
-        <source>Foam is harder or softer</source>
-        <translation>泡沫偏硬或偏软</translation>
-    </message>
-    <message>
-        <source>Allowance of a seam</source>
-        <translation>接缝的缝份</translation>
-    </message>
-    <message>
-        <source>Piece is larger or smaller</source>
-        <translation>样片偏大或偏小</translation>
-    </message>
-    <message>
-        <source>Fixation lies elsewhere</source>
-        <translation>固定位置偏移</translation>
-    </message>
-    <message>
-        <source>Seam is sewn shifted</source>
-        <translation>接缝错位缝合</translation>
-    </message>
-</context>
-<context>
     <name>ColourwayForm</name>
     <message>
         <source>Fabrics</source>
@@ -5513,16 +5486,8 @@
         <translation>形体的 %1 条边属于两个以上的面：它们是边界，不在此缝合</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 四周封闭，无法展平：请按组划分，或以更小的角度切分</translation>
-    </message>
-    <message>
         <source>%1 has too many holes: close them, or divide it by groups</source>
         <translation>%1 孔过多：请封闭，或按组划分</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
-        <translation>%1 有像杯子那样的环柄，无法展平：请按组划分，或以更小的角度切分</translation>
     </message>
     <message>
         <source>it has no triangle with an area</source>
@@ -5929,10 +5894,6 @@
         <translation>样片会有孔或成环之处已剪开并重新缝合，剪口数：%1</translation>
     </message>
     <message>
-        <source>%1 runs along the border of the form: there is nothing to cut</source>
-        <translation>%1 沿形体的边缘延伸：没有可剪之处</translation>
-    </message>
-    <message>
         <source>%1 is stretched by %2 % along the grain, its fabric allows %3 %</source>
         <translation>%1 沿布纹拉伸 %2%，其面料允许 %3%</translation>
     </message>
@@ -5983,6 +5944,34 @@
     <message>
         <source>the disk of &quot;%1&quot; is full, where work is protected from crashes; make room, and open it again</source>
         <translation>用于防止崩溃丢失工作的“%1”所在磁盘已满；请腾出空间后重新打开</translation>
+    </message>
+    <message>
+        <source>The form is %1 mm large: with edges of %2 mm its cover has more triangles than can be solved. See whether the unit is right; else make the mesh edges at least %3 mm long</source>
+        <translation>形体大小为 %1 mm：边长为 %2 mm 时，面套的三角形多得无法求解。请检查单位是否正确；若正确，请把网格边长设为至少 %3 mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; choose another name</source>
+        <translation>“%1”已存在；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 四周封闭，无法展平：请按组或 CAD 面、沿线条或在弯折处将其分开</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
+        <translation>%1 像杯子一样带有把手，无法展平：请按组或 CAD 面、沿线条或在弯折处将其分开</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2: it is cut there once</source>
+        <translation>%1 与 %2 重合：该处只裁一次</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
+        <translation>%1 沿着形体的边界或本来就要裁开的地方：没有可裁的</translation>
+    </message>
+    <message>
+        <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 贴在形体上时应变达 %2 %，超过任何面料所能承受。请将其分开，或在最鼓处开剪口</translation>
     </message>
 </context>
 <context>
@@ -8264,6 +8253,38 @@
         <source>Stopped. The list is that of the search before.</source>
         <translation>已停止。列表是上一次查找的结果。</translation>
     </message>
+    <message>
+        <source>The scan lies on the cover: there is nothing to explain.</source>
+        <translation>扫描与面套重合：没有需要解释的。</translation>
+    </message>
+    <message>
+        <source>Even the likeliest cause explains only %1 of it: there may be several, or others than these.</source>
+        <translation>即使最可能的原因也只能解释其中的 %1：可能有多个原因，或是其他原因。</translation>
+    </message>
+    <message>
+        <source>Foam is thicker or thinner</source>
+        <translation>泡沫偏厚或偏薄</translation>
+    </message>
+    <message>
+        <source>Foam is harder or softer</source>
+        <translation>泡沫偏硬或偏软</translation>
+    </message>
+    <message>
+        <source>Allowance of a seam</source>
+        <translation>接缝的缝份</translation>
+    </message>
+    <message>
+        <source>Piece is larger or smaller</source>
+        <translation>样片偏大或偏小</translation>
+    </message>
+    <message>
+        <source>Fixation lies elsewhere</source>
+        <translation>固定位置偏移</translation>
+    </message>
+    <message>
+        <source>Seam is sewn shifted</source>
+        <translation>接缝错位缝合</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9286,6 +9307,10 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 及以上</translation>
+    </message>
+    <message>
+        <source>%1: strain %2 (rms)</source>
+        <translation>%1：应变 %2（均方根）</translation>
     </message>
 </context>
 <context>
@@ -10385,10 +10410,6 @@
         <translation>距形体：之前 %1，现在 %2（均方根）；之前 %3，现在 %4 (95%)</translation>
     </message>
     <message>
-        <source>Over the limit: %1 of the cover before, %2 now</source>
-        <translation>超过极限：之前为面套的 %1，现在 %2</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>面套移动 %1（均方根）。</translation>
     </message>
@@ -10473,6 +10494,22 @@
     <message>
         <source>Nothing of the changes is shown now: move the slider to see them.</source>
         <translation>现在未显示任何更改：移动滑块即可查看。</translation>
+    </message>
+    <message>
+        <source>Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the ease change.</source>
+        <translation>缝线两侧的长度差比所需多出最多 %1：请同时更改相邻样片，或允许吃势变化。</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the painted area before, %2 now</source>
+        <translation>应变超限：涂画区域中之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>Strained over the limit: %1 of the cover before, %2 now</source>
+        <translation>应变超限：面套中之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
+        <translation>这样几乎没有更接近，面料应变却更大：请改为允许其他变化，或减少变化。</translation>
     </message>
 </context>
 <context>
@@ -10739,6 +10776,14 @@
     <message>
         <source>The design has changed meanwhile: look again.</source>
         <translation>设计在此期间已更改：请重新查找。</translation>
+    </message>
+    <message>
+        <source>Stopped. These are solved:</source>
+        <translation>已停止。以下已求解：</translation>
+    </message>
+    <message>
+        <source>The best changes are being solved …</source>
+        <translation>正在求解最佳更改…</translation>
     </message>
 </context>
 <context>
@@ -11933,10 +11978,6 @@ What you see is where the cloth was at the end.</source>
         <translation>在此之前先按线性近似抽取一万件，只需数秒</translation>
     </message>
     <message>
-        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should</source>
-        <translation>当面套有 5% 以上距应在之处超过此值时，该样件超出极限</translation>
-    </message>
-    <message>
         <source>Dr&amp;awn</source>
         <translation>抽取方式(&amp;A)</translation>
     </message>
@@ -11955,10 +11996,6 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>Covers with each tolerance are solved …</source>
         <translation>正在求解含各公差的面套…</translation>
-    </message>
-    <message>
-        <source>Stopped. What is shown is from linear covers.</source>
-        <translation>已停止。显示的是线性近似的结果。</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -11999,6 +12036,22 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>The design has changed meanwhile: draw the pieces again.</source>
         <translation>设计在此期间已更改：请重新抽取样件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>By %n solved pieces so far; more are being solved …</source>
+        <translation>
+            <numerusform>根据目前 %n 个已求解的样件；其余正在求解…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.</source>
+        <translation>
+            <numerusform>有 %n 个公差找不到面套，例如：%1。此处未计入：请将其减小。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
+        <translation>当面套有 5% 以上距应在之处超过此值时，该样件超出极限</translation>
     </message>
 </context>
 <context>

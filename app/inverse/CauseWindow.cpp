@@ -28,24 +28,24 @@ QString kindText(Cause::Kind kind)
 {
     switch (kind) {
     case Cause::Kind::Foam:
-        return CauseWindow::tr("Foam is thicker or thinner");
+        return bolster::CauseWindow::tr("Foam is thicker or thinner");
     case Cause::Kind::Strength:
-        return CauseWindow::tr("Foam is harder or softer");
+        return bolster::CauseWindow::tr("Foam is harder or softer");
     case Cause::Kind::Seam:
-        return CauseWindow::tr("Allowance of a seam");
+        return bolster::CauseWindow::tr("Allowance of a seam");
     case Cause::Kind::Stretch:
-        return CauseWindow::tr("Piece is larger or smaller");
+        return bolster::CauseWindow::tr("Piece is larger or smaller");
     case Cause::Kind::Fixation:
-        return CauseWindow::tr("Fixation lies elsewhere");
+        return bolster::CauseWindow::tr("Fixation lies elsewhere");
     case Cause::Kind::Notch:
-        return CauseWindow::tr("Seam is sewn shifted");
+        return bolster::CauseWindow::tr("Seam is sewn shifted");
     }
     return {};
 }
 
 QString causeText(const Design& design, const Cause& cause)
 {
-    return CauseWindow::tr("%1: %2").arg(kindText(cause.kind), displayName(design, cause.element));
+    return bolster::CauseWindow::tr("%1: %2").arg(kindText(cause.kind), displayName(design, cause.element));
 }
 
 /// "+3.1 ± 0.4 mm", of each number.
@@ -57,8 +57,10 @@ QString amountText(const Explanation& one, Cause::Kind kind)
     const auto figure = [&](double value) {
         return lengths ? steadyLengthFigure(value) : decimalText(value, 1, true);
     };
+    const bool axes = one.values.size() == 3;
     for (Eigen::Index k = 0; k < one.values.size(); ++k)
-        numbers << (one.values[k] > 0 ? QStringLiteral("+") : QString()) + figure(one.values[k]) +
+        numbers << (axes ? QStringLiteral("xyz").mid(k, 1) + u' ' : QString()) +
+                       (one.values[k] > 0 ? QStringLiteral("+") : QString()) + figure(one.values[k]) +
                        QStringLiteral(" \u00b1 ") + figure(one.spreads[k]);
     return numbers.join(QStringLiteral(", ")) + (lengths ? lengthSuffix() : unit);
 }
@@ -198,10 +200,18 @@ void CauseWindow::say()
         m_said->setText(tr("The scan shows nothing of the cover: does it lie where the design is?"));
         return;
     }
+    constexpr double nothing = 0.05; // mm
+    if (all.rms < nothing) {
+        m_said->setText(tr("The scan lies on the cover: there is nothing to explain."));
+        return;
+    }
     QStringList lines{tr("The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.")
                           .arg(percentText(all.covered), lengthText(all.rms, 2), lengthText(all.noise, 2))};
     if (all.none > 0.5)
         lines << tr("No single cause explains that better than noise does.");
+    if (all.weak())
+        lines << tr("Even the likeliest cause explains only %1 of it: there may be several, or others than these.")
+                     .arg(percentText(std::round(100 * all.ranked.front().share) / 100));
     if (!m_found->sound && all.mostlyUnexplained())
         lines << tr("Most of the deviation has no cause of these kinds, so the first need not be the right one: "
                     "give the scan of a sound piece, too.");

@@ -3,6 +3,7 @@
 #include "FileGuess.h"
 #include "MeshImport.h"
 #include "SolveFailure.h"
+#include "ThinForm.h"
 
 #include <QFileInfo>
 
@@ -89,6 +90,24 @@ void FormPatternJob::addEdges(FormCuts& cuts, const std::optional<Frame>& frame)
     }
 }
 
+/// That takes its time: it is done once for each form. Null when stopped.
+std::shared_ptr<const TriangleMesh>
+FormPatternJob::withFewTriangles(const std::shared_ptr<const TriangleMesh>& mesh, const FormCuts& cuts,
+                                 std::vector<Message>& notes, const std::stop_token& stop)
+{
+    if (mesh->triangles.size() <= mostFormTriangles)
+        return mesh;
+    if (m_thinned.of != mesh || m_thinned.rows != cuts.edges.size()) {
+        std::optional<ThinnedForm> thinned = thinForm(*mesh, cuts.edges, mostFormTriangles, stop);
+        if (!thinned)
+            return nullptr;
+        m_thinned = {mesh, cuts.edges.size(), std::make_shared<TriangleMesh>(std::move(thinned->mesh)),
+                     std::move(thinned->notes)};
+    }
+    notes = m_thinned.notes;
+    return m_thinned.mesh;
+}
+
 FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& stop)
 {
     FormMade made;
@@ -111,7 +130,12 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
                 return made;
             addEdges(cuts, wanted.frame);
         }
+        std::vector<Message> notes;
+        mesh = withFewTriangles(mesh, cuts, notes, stop);
+        if (!mesh)
+            return made;
         made.form = cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
+        made.form.notes.insert(made.form.notes.begin(), notes.begin(), notes.end());
         made.problem = made.form.problem;
         if (!wanted.mesh && !m_form.warning.empty())
             made.form.notes.push_back(m_form.warning);

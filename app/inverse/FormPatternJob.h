@@ -62,13 +62,25 @@ private:
         std::vector<FrameEdge> edges; ///< file units
     };
 
+    /// Of a mesh with too many triangles.
+    struct Thinned {
+        std::shared_ptr<const TriangleMesh> of;
+        std::size_t rows = 0; ///< of CAD faces' edges, which stay
+        std::shared_ptr<const TriangleMesh> mesh;
+        std::vector<Message> notes;
+    };
+
     static FileState stateOf(const QString& path);
     Message read(const QString& path, const Box3& there, const std::stop_token& stop);
     Message readEdges(const QString& path, const std::stop_token& stop);
     void addEdges(FormCuts& cuts, const std::optional<Frame>& frame) const;
+    std::shared_ptr<const TriangleMesh> withFewTriangles(const std::shared_ptr<const TriangleMesh>& mesh,
+                                                         const FormCuts& cuts, std::vector<Message>& notes,
+                                                         const std::stop_token& stop);
 
     FormOfFile m_form;
     EdgesOfFile m_edges;
+    Thinned m_thinned;
     std::shared_ptr<FormDraft> m_draft = newFormDraft();
 };
 

@@ -85,7 +85,10 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     fillFabrics();
     fillLines();
     connect(&m_document, &Document::changed, this, &FormPatternWindow::documentChanged);
-    connect(&m_document, &Document::gestureEnded, this, [this] { ask(false); });
+    connect(&m_document, &Document::gestureEnded, this, [this] {
+        takeMesh();
+        ask(false);
+    });
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
     formChosen();
 }
@@ -294,9 +297,25 @@ void FormPatternWindow::formChosen()
     clear(); // pieces of another form would look like those of this one
     if (m_form->currentData().toString() == "cover")
         tickLines(false); // what holds the cover lies along its borders
+    m_meshOf = frameElement();
     m_mesh = mesh();
     m_faces->setVisible(!cadFile().isEmpty());
     ask(false);
+}
+
+ElementPtr FormPatternWindow::frameElement() const
+{
+    return m_document.design().element(static_cast<ElementId>(m_form->currentData().toUInt()));
+}
+
+/// Of a frame that was moved, or is another one now; whether it was.
+bool FormPatternWindow::takeMesh()
+{
+    if (frameElement() == m_meshOf)
+        return false;
+    m_meshOf = frameElement();
+    m_mesh = mesh();
+    return true;
 }
 
 std::shared_ptr<const TriangleMesh> FormPatternWindow::mesh() const
@@ -526,10 +545,12 @@ void FormPatternWindow::documentChanged()
         design.each<FixationCurve>([&](ElementId id, const FixationCurve&) { curves[id] = design.element(id); });
         return curves;
     };
-    if (curvesOf(m_drawn) == curvesOf(m_document.design()))
-        return;
-    fillLines();
-    ask(m_document.gestureRunning());
+    const bool sameLines = curvesOf(m_drawn) == curvesOf(m_document.design());
+    if (!sameLines)
+        fillLines();
+    const bool moved = !m_document.gestureRunning() && takeMesh(); // else when the frame is let go
+    if (!sameLines || moved)
+        ask(m_document.gestureRunning());
 }
 
 } // namespace bolster

@@ -64,6 +64,8 @@ private:
     const Frame* frame() const;
     QString cadFile() const;
     std::shared_ptr<const TriangleMesh> mesh() const;
+    ElementPtr frameElement() const;
+    bool takeMesh();
 
     DesignSession& m_session;
     Document& m_document;
@@ -79,6 +81,7 @@ private:
     QProgressBar* m_busy = nullptr;
     Design m_drawn; ///< of which the lines are
     std::shared_ptr<const TriangleMesh> m_mesh;
+    ElementPtr m_meshOf; ///< the frame that it is of; null: of no frame
     std::shared_ptr<const FormMade> m_made;
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts

@@ -27,9 +27,11 @@ namespace bolster {
 
 namespace {
 
-constexpr double arrowsApart = 14;  // pixels
-constexpr double longestArrow = 45; // pixels
-constexpr int restOfSlider = 250;   // ms, before a part of the changes is measured
+constexpr double arrowsApart = 14;   // pixels
+constexpr double longestArrow = 45;  // pixels
+constexpr int restOfSlider = 250;    // ms, before a part of the changes is measured
+constexpr double littleGained = 0.9; // times the distance before
+constexpr double muchMore = 0.05;    // of the cover, over the limit
 
 /// How far points of a patch would move at most with all of the change, mm.
 double movedBy(const FitFound& found, ElementId patch)
@@ -249,9 +251,14 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
                      .arg(lengthText(before.distanceRms, 2), length(&FitFigures::distanceRms),
                           lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95));
     constexpr double notable = 0.005; // of the cover
-    if (m_sought.strained || result.after.overLimit > before.overLimit + notable)
-        lines << tr("Over the limit: %1 of the cover before, %2 now")
+    const bool inArea = !m_wanted.order.goals.area.patches.empty() || !m_wanted.order.goals.area.spots.empty();
+    if (m_sought.strained || (now ? now->overLimit : result.after.overLimit) > before.overLimit + notable)
+        lines << (inArea ? tr("Strained over the limit: %1 of the painted area before, %2 now")
+                         : tr("Strained over the limit: %1 of the cover before, %2 now"))
                      .arg(percentText(before.overLimit), share(&FitFigures::overLimit));
+    if (m_sought.lies && now && now->distanceRms > littleGained * before.distanceRms &&
+        now->overLimit > before.overLimit + muchMore)
+        lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
     if (m_sought.smooth)
         lines << tr("Pressed together: %1 before, %2 now")
                      .arg(percentText(before.pressed), share(&FitFigures::pressed));
@@ -263,9 +270,10 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
                      .arg(percentText(before.sizeMost), share(&FitFigures::sizeMost));
     lines << tr("The cover moves by %1 (rms).").arg(length(&FitFigures::shapeRms));
     if (now && missesLengths(m_wanted.order.locks, before, *now))
-        lines << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "
-                    "ease change.")
-                     .arg(lengthText(now->sewnMost));
+        lines
+            << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "
+                  "ease change.")
+                   .arg(lengthText(now->sewnMost));
     if (result.jumped)
         lines << tr("On the way a fold came or went: look at the cover before you take it.");
     if (!result.idle.empty())
@@ -325,8 +333,7 @@ void PatternFitWindow::fillPatches()
         if (m_found->result.values[static_cast<Eigen::Index>(k)] != 0)
             elements.insert(m_found->freedoms[k].element);
     for (const ElementId id : elements) {
-        auto* row =
-            new QTreeWidgetItem(m_patches, {displayName(m_start, id)});
+        auto* row = new QTreeWidgetItem(m_patches, {displayName(m_start, id)});
         row->setData(0, Qt::UserRole, number(id));
         row->setCheckState(0, Qt::Checked);
     }
@@ -371,7 +378,7 @@ void PatternFitWindow::preview()
     if (!known)
         m_slider.start();
     if (!m_gesture || !m_gesture->active())
-        m_gesture.emplace(m_document);
+        m_gesture.emplace(m_document, Gesture::Purpose::Preview);
     const Design changed = changedDesign();
     m_gesture->update(
         editBetween(m_start, changed, {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}}));

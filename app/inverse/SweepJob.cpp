@@ -12,6 +12,7 @@ namespace {
 constexpr double shareLinear = 0.2; // of the time, when pieces are solved
 constexpr int linearPieces = 1000;  // that are counted
 constexpr int piecesAtOnce = 10;
+constexpr double fewestTold = 20;
 constexpr double untilNext = 1.5; // times as many pieces as were known when figures were told last
 
 /// Returns false when it was stopped.
@@ -53,17 +54,18 @@ void addSolved(Sweep& sweep, const SweepWanted& wanted, SweepFound& found, const
                const std::stop_token& stop)
 {
     std::vector<SweepSample> all;
-    double next = piecesAtOnce;
+    double next = fewestTold;
     while (std::ssize(all) < wanted.samples) {
         const int count = std::min(piecesAtOnce, wanted.samples - static_cast<int>(all.size()));
         std::vector<SweepSample> more = sweep.solve(all.size(), count, stop);
         if (stop.stop_requested())
             return;
         std::ranges::move(more, std::back_inserter(all));
-        const bool tells = static_cast<double>(all.size()) >= next;
+        const auto resting = std::ranges::count_if(all, [](const SweepSample& s) { return !s.outside.empty(); });
+        const bool tells = static_cast<double>(resting) >= next; // of fewer 95 % means nothing
         if (tells) {
             countSolved(all, wanted.limit, found);
-            next = untilNext * static_cast<double>(all.size());
+            next = untilNext * static_cast<double>(resting);
         }
         news(shareLinear + (1 - shareLinear) * static_cast<double>(all.size()) / wanted.samples,
              tells ? &found : nullptr);

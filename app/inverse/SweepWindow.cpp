@@ -196,7 +196,7 @@ QWidget* SweepWindow::buildPieces()
     m_limit = new NumberBox({millimetreSuffix, 2, 0.01, 1000, 0.5, true}, box);
     m_limit->display(usualLimit);
     m_limit->setToolTip(
-        tr("A piece is out of it when more than 5 % of its cover lie farther from where they should"));
+        tr("A piece is out of it when more than 5 % of its cover lie farther from where they should be"));
     auto* form = new QFormLayout(box);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->addRow(tr("Dr&awn"), m_drawn);
@@ -297,7 +297,8 @@ void SweepWindow::say(const QString& lead)
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
     if (!m_found->unknown.empty())
-        lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them smaller.",
+        lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them "
+                    "smaller.",
                     nullptr, static_cast<int>(m_found->unknown.size()))
                      .arg(m_titles[m_found->unknown.front()]);
     if (m_found->resting < m_found->solved)

@@ -39,7 +39,7 @@ void SolverLink::answerWaiting()
 {
     using State = SolverStatus::State;
     const bool ended = upToDate() && (m_status.state == State::Failed || m_status.state == State::Idle);
-    const bool stays = m_paused && (!upToDate() || m_sentPassing);
+    const bool stays = m_paused && (!upToDate() || m_sentInGesture);
     if (m_waiting.empty() || !(atRest() || ended || stays))
         return;
     m_glide.finish(); // pictures are made of what is seen
@@ -53,15 +53,15 @@ void SolverLink::send()
 {
     if (m_paused || m_document.breakage()) // the last good surface stays until the gesture is sound again
         return;
-    m_sentPassing = m_document.gestureRunning();
-    m_thread->request({m_document.design(), m_files}, m_document.revision(), m_sentPassing);
+    m_sentInGesture = m_document.gestureRunning();
+    m_thread->request({m_document.design(), m_files}, m_document.revision(), m_document.dragging());
 }
 
 /// The end of a gesture changes nothing when the design is what the last preview was, and so says nothing; but now
 /// the resting surface is wanted.
 void SolverLink::sendAfterGesture()
 {
-    if (!m_sentPassing || m_document.gestureRunning())
+    if (!m_sentInGesture || m_document.gestureRunning())
         return;
     send();
 }
@@ -75,7 +75,7 @@ void SolverLink::setFiles(DesignFiles files)
 void SolverLink::setPaused(bool paused)
 {
     m_paused = paused;
-    if (!paused && (!upToDate() || m_sentPassing))
+    if (!paused && (!upToDate() || m_sentInGesture))
         send();
     answerWaiting();
 }

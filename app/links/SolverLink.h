@@ -81,7 +81,7 @@ private:
     SolverStatus m_status;
     SolveReport m_report;
     std::uint64_t m_answered = 0; ///< revision that the surface answers
-    bool m_sentPassing = false;   ///< the last request belonged to a gesture
+    bool m_sentInGesture = false; ///< the last request
     bool m_paused = false;
     struct Waiting {
         QPointer<QObject> context;

@@ -173,6 +173,11 @@ void Document::finishGesture()
         m_gesture->commit();
 }
 
+bool Document::dragging() const
+{
+    return m_gesture && !m_gesture->isPreview();
+}
+
 void Document::cancelGesture()
 {
     finishGesture();

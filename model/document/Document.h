@@ -51,10 +51,10 @@ public:
     void jumpTo(NodeId node);
     /// Versions that somebody else has made: History::takeIn. Whoever stores the history has them already.
     void takeIn(std::vector<History::Node> nodes, std::shared_ptr<StoredEdits> edits);
-    /// A label in the history, "" for none. The design stays as it is.
     /// New elements get larger ids than this, as they do than all that were seen: an id stands for one thing in all
     /// branches.
     void spendIds(ElementId upTo);
+    /// A label in the history, "" for none. The design stays as it is.
     void nameVersion(NodeId node, std::string name);
     /// The same for the branch that begins with `node`.
     void nameBranch(NodeId node, std::string name);
@@ -76,6 +76,8 @@ public:
     void markSaved() { setHeld({mark(), false}); }
 
     bool gestureRunning() const { return m_gesture != nullptr; }
+    /// The running gesture's edit is passing: something is being dragged.
+    bool dragging() const;
     /// What the running gesture's edit would break, if anything: it is to be seen as invalid, not to be solved,
     /// and is taken back on release.
     const std::optional<edits::Breakage>& breakage() const { return m_breakage; }

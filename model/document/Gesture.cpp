@@ -7,8 +7,9 @@
 
 namespace bolster {
 
-Gesture::Gesture(Document& document)
+Gesture::Gesture(Document& document, Purpose purpose)
     : m_document(&document)
+    , m_purpose(purpose)
 {
     document.cancelGesture();
     document.m_gesture = this;

@@ -11,7 +11,11 @@ class Document;
 /// time: beginning a second one cancels the first, whose calls then do nothing.
 class Gesture {
 public:
-    explicit Gesture(Document& document);
+    enum class Purpose {
+        Drag,   ///< what it shows is passing: the surface follows it
+        Preview ///< what it shows is looked at: its surface is the one that a commit would have
+    };
+    explicit Gesture(Document& document, Purpose purpose = Purpose::Drag);
     ~Gesture(); ///< cancels unless committed
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;
@@ -30,12 +34,14 @@ public:
     void letGo() { m_letGo = true; }
     void takeUp() { m_letGo = false; }
     bool isLetGo() const { return m_letGo; }
+    bool isPreview() const { return m_purpose == Purpose::Preview; }
 
 private:
     friend class Document;
     Document* m_document;
     Design m_start;
     Edit m_edit;
+    Purpose m_purpose;
     bool m_letGo = false;
 };
 

@@ -51,6 +51,26 @@ bool hasName(const Descriptor& file)
     return info && info->st_nlink > 0;
 }
 
+Message alreadyThere(const QString& path)
+{
+    return {QT_TRANSLATE_NOOP("Message", "\"%1\" is there already; choose another name"), {path.toStdString()}};
+}
+
+/// Returns an error number, or 0. Where file systems cannot see to it that nothing is replaced, who called has.
+int renamed(const QString& from, const QString& to, bool mustBeFree)
+{
+    const QByteArray source = QFile::encodeName(from), target = QFile::encodeName(to);
+#ifdef RENAME_NOREPLACE
+    if (mustBeFree) {
+        if (::renameat2(AT_FDCWD, source.constData(), AT_FDCWD, target.constData(), RENAME_NOREPLACE) == 0)
+            return 0;
+        if (errno != EINVAL && errno != ENOSYS)
+            return errno;
+    }
+#endif
+    return std::rename(source.constData(), target.constData()) == 0 ? 0 : errno;
+}
+
 void removeIfLeft(const QFileInfo& info, const QString& own)
 {
     const Descriptor file(info.absoluteFilePath(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
@@ -133,12 +153,15 @@ Message TemporaryFile::copyFrom(const QString& path)
     return m_problem;
 }
 
-Message TemporaryFile::moveIntoPlace()
+Message TemporaryFile::moveIntoPlace(Place place)
 {
     if (!m_problem.empty())
         return m_problem;
     const Descriptor& file = m_file->descriptor;
-    if (const auto present = statusOf(m_target)) {
+    const auto present = statusOf(m_target);
+    if (present && place == Place::MustBeFree)
+        return alreadyThere(m_target);
+    if (present) {
         if (Message problem = protection(m_target, *present); !problem.empty())
             return problem;
         if (!S_ISREG(present->st_mode))
@@ -148,8 +171,8 @@ Message TemporaryFile::moveIntoPlace()
     }
     if (::fsync(file.get()) != 0)
         return failed(errno);
-    if (std::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(m_target).constData()) != 0)
-        return failed(errno);
+    if (const int error = renamed(m_path, m_target, place == Place::MustBeFree))
+        return error == EEXIST ? alreadyThere(m_target) : failed(error);
     const bool closed = m_file->descriptor.close();
     const int error = syncFolder(QFileInfo(m_target).absolutePath());
     return error || !closed ? failed(error ? error : EIO) : Message{};

@@ -29,7 +29,8 @@ public:
     Message copyFrom(const QString& file);
     /// Syncs it, gives it the permissions of the file that it replaces, if there is one, renames it over that and
     /// syncs the folder: after a power cut the place holds the old bytes or the new ones, never a mixture.
-    Message moveIntoPlace();
+    enum class Place { MayBeTaken, MustBeFree };
+    Message moveIntoPlace(Place place = Place::MayBeTaken);
 
 private:
     struct File;

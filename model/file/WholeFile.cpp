@@ -82,6 +82,16 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
     return error ? writeProblem(path, error) : Message{};
 }
 
+Message createWholeFile(const QString& path, std::string_view bytes)
+{
+    const auto there = statusOf(path);
+    if (there && !S_ISREG(there->st_mode))
+        return replaceWholeFile(path, bytes); // "/dev/stdout", or a folder
+    TemporaryFile file(path);
+    Message problem = file.write(bytes);
+    return problem.empty() ? file.moveIntoPlace(TemporaryFile::Place::MustBeFree) : problem;
+}
+
 QString resolved(const QString& path)
 {
     constexpr int mostLinks = 40;

@@ -29,6 +29,9 @@ Message copyWholeFile(const QString& from, const QString& to, std::int64_t large
 /// empty message; the old file is untouched then.
 Message replaceWholeFile(const QString& path, std::string_view bytes);
 
+/// Likewise a file that is not there yet: what has come to be there meanwhile stays, and is said to be there.
+Message createWholeFile(const QString& path, std::string_view bytes);
+
 /// Where a path leads: links are followed, also to a file that is not there yet.
 QString resolved(const QString& path);
 

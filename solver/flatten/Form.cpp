@@ -3,7 +3,7 @@
 #include "BorderRows.h"
 #include "FormLines.h"
 #include "HalfEdges.h"
-#include "SimplifyMesh.h"
+#include "ThinForm.h"
 #include "UnionFind.h"
 #include "WeldedForm.h"
 
@@ -80,7 +80,7 @@ private:
         if (m_cuts.lines.empty() || m_stop.stop_requested())
             return;
         LinedTriangles lined =
-            cutAlong({m_welded.points, m_welded.triangles, m_welded.part, m_cut}, m_cuts.lines, m_stop, m_draft);
+            cutAlong({m_welded.points, m_welded.triangles, m_welded.part, m_cut}, m_cuts, m_stop, m_draft);
         if (!lined.problem.empty()) {
             m_form.problem = lined.problem;
             return;
@@ -278,7 +278,7 @@ private:
             if (loops == 0) {
                 refuse(p,
                        QT_TRANSLATE_NOOP("Message", "%1 is closed all around and cannot be laid flat: divide it by "
-                                                    "groups, or cut at a smaller angle"));
+                                                    "groups or CAD faces, along lines, or where it bends"));
             } else if (loops > 1) {
                 if (round >= mostCutsOpen)
                     refuse(p, QT_TRANSLATE_NOOP("Message",
@@ -288,7 +288,7 @@ private:
             } else if (eulerNumber(piece) != 1) {
                 refuse(p, QT_TRANSLATE_NOOP("Message",
                                             "%1 has a handle, like a cup, and cannot be laid flat: divide it "
-                                            "by groups, or cut at a smaller angle"));
+                                            "by groups or CAD faces, along lines, or where it bends"));
             }
         }
         return cut && m_form.problem.empty();
@@ -423,26 +423,20 @@ std::shared_ptr<FormDraft> newFormDraft()
 
 Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
 {
+    if (mesh.triangles.size() <= mostFormTriangles)
+        return cutFewer(mesh, cuts, stop, draft);
     Form form;
-    if (mesh.triangles.size() > mostFormTriangles) {
-        const SimplifiedMesh fewer = simplified(mesh, {}, mostFormTriangles, stop);
-        if (stop.stop_requested())
-            return form;
-        if (fewer.mesh.triangles.size() > 2 * mostFormTriangles) { // all of them are at borders
-            form.problem = {QT_TRANSLATE_NOOP("Message", "it has %1 triangles, and cannot be made simpler"),
-                            {std::to_string(mesh.triangles.size())}};
-            return form;
-        }
-        form = cutFewer(fewer.mesh, cuts, stop, draft);
-        form.notes.insert(
-            form.notes.begin(),
-            {QT_TRANSLATE_NOOP("Message", "The form has %1 triangles; %2 stand for it, which are up to "
-                                          "%3 mm off"),
-             {std::to_string(mesh.triangles.size()), std::to_string(fewer.mesh.triangles.size()),
-              numberText(fewer.off, 2)}});
+    const std::optional<ThinnedForm> fewer = thinForm(mesh, cuts.edges, mostFormTriangles, stop);
+    if (!fewer)
+        return form;
+    if (fewer->mesh.triangles.size() > 2 * mostFormTriangles) { // all of them are at borders
+        form.problem = {QT_TRANSLATE_NOOP("Message", "it has %1 triangles, and cannot be made simpler"),
+                        {std::to_string(mesh.triangles.size())}};
         return form;
     }
-    return cutFewer(mesh, cuts, stop, draft);
+    form = cutFewer(fewer->mesh, cuts, stop, draft);
+    form.notes.insert(form.notes.begin(), fewer->notes.begin(), fewer->notes.end());
+    return form;
 }
 
 } // namespace bolster

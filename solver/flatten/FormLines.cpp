@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -98,8 +99,9 @@ std::vector<int> trianglesNear(const TriangleSoup& soup, const CgalMesh& strip)
 
 class LineCutter {
 public:
-    LineCutter(const TriangleSoup& form, double apart)
+    LineCutter(const TriangleSoup& form, const FormCuts& cuts, double apart)
         : m_soup(form)
+        , m_cuts(cuts)
         , m_spacing(apart)
         , m_whole(m_form.build(m_soup, {}))
     {
@@ -133,11 +135,19 @@ public:
                  {line.name, numberText(away, 2)}});
             return;
         }
+        for (const FormLine& earlier : all)
+            if (&earlier == &line || earlier == line)
+                break;
+            else if (runsAlong(line, earlier)) {
+                m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2: it is cut there once"),
+                                   {line.name, earlier.name}});
+                return;
+            }
         const std::vector<FormLine> parts = awayFromBorder(comesBack(line, length) ? closed(line) : line);
         if (parts.empty())
             m_notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form: there is nothing "
-                                              "to cut"),
+                {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form, or where it is cut anyway: "
+                                              "there is nothing to cut"),
                  {line.name}});
         for (const FormLine& part : parts)
             cutNow(part, all, stop);
@@ -180,6 +190,17 @@ private:
     {
         return !line.closed && line.points.size() > 3 && length > leastLoop &&
                (line.points.front() - line.points.back()).norm() < reach;
+    }
+
+    /// All of it.
+    static bool runsAlong(const FormLine& line, const FormLine& other)
+    {
+        constexpr double same = 0.5; // mm
+        const std::vector<Vec3> places = evenly(other, same);
+        return std::ranges::all_of(line.points, [&](const Vec3& point) {
+            return std::ranges::any_of(places,
+                                       [&](const Vec3& place) { return (place - point).norm() <= 2 * same; });
+        });
     }
 
     static FormLine closed(FormLine line)
@@ -257,14 +278,35 @@ private:
         return false;
     }
 
-    /// The place of a border that is nearest to a place on the form; none where no border is near.
+    /// Whether the form ends there, or is cut there whatever lines say.
+    bool isCutAnyway(FormEdge edge) const
+    {
+        if (m_form.mesh.is_border(edge) || m_form.cut[edge])
+            return true;
+        const auto half = m_form.mesh.halfedge(edge), other = m_form.mesh.opposite(half);
+        if (m_cuts.groups && m_form.part[m_form.mesh.face(half)] != m_form.part[m_form.mesh.face(other)])
+            return true;
+        return m_cuts.angle &&
+               normalBeside(half).dot(normalBeside(other)) < std::cos(*m_cuts.angle * std::numbers::pi / 180);
+    }
+
+    Vec3 normalBeside(CgalMesh::Halfedge_index half) const
+    {
+        const Vec3 from = fromCgal(m_form.mesh.point(m_form.mesh.source(half)));
+        const Vec3 to = fromCgal(m_form.mesh.point(m_form.mesh.target(half)));
+        const Vec3 third = fromCgal(m_form.mesh.point(m_form.mesh.target(m_form.mesh.next(half))));
+        return (to - from).cross(third - from).normalized();
+    }
+
+    /// The place of a border, or of where it is cut anyway, that is nearest to a place on the form; none where none
+    /// is near.
     std::optional<Vec3> borderNear(const Vec3& at) const
     {
         const auto [near, face] = m_tree.closest_point_and_primitive(toCgal(at));
         std::optional<Vec3> found;
         for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
             for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v))) {
-                if (!m_form.mesh.is_border(m_form.mesh.edge(half)))
+                if (!isCutAnyway(m_form.mesh.edge(half)))
                     continue;
                 const Vec3 from = fromCgal(m_form.mesh.point(m_form.mesh.source(half)));
                 const Vec3 way = fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - from;
@@ -362,7 +404,7 @@ private:
         const auto missing = [&](const Vec3& end) {
             double nearest = reach;
             for (const auto half : m_form.mesh.halfedges())
-                if (m_form.mesh.is_border(half))
+                if (isCutAnyway(m_form.mesh.edge(half)))
                     nearest =
                         std::min(nearest, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - end).norm());
             for (const FormLine& other : all)
@@ -438,6 +480,7 @@ private:
     }
 
     TriangleSoup m_soup;
+    const FormCuts& m_cuts;
     double m_spacing; // mm between places on a line
     LinedMesh m_form; // as it was, at last cut and tidied
     bool m_whole;
@@ -485,14 +528,15 @@ std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std:
 
 } // namespace
 
-LinedTriangles cutAlong(const TriangleSoup& form, const std::vector<FormLine>& lines, const std::stop_token& stop,
+LinedTriangles cutAlong(const TriangleSoup& form, const FormCuts& cuts, const std::stop_token& stop,
                         FormDraft* draft)
 {
+    const std::vector<FormLine>& lines = cuts.lines;
     LinedTriangles failed;
     failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than two "
                                                    "faces meet, or sheets that touch in a point"),
                       {}};
-    LineCutter cutter(form, draft ? draftSpacing : spacing);
+    LineCutter cutter(form, cuts, draft ? draftSpacing : spacing);
     if (!cutter.whole())
         return failed;
     try {

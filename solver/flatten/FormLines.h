@@ -33,7 +33,8 @@ struct FormDraft {
 /// ends a little before a border or another line goes on to there. Source: CGAL's corefinement of the form with a
 /// ribbon across it along each line. With a draft lines follow the form less closely, and those that did not move
 /// are as they were cut before.
-LinedTriangles cutAlong(const TriangleSoup& form, const std::vector<FormLine>& lines, const std::stop_token& stop,
+/// What runs along where `cuts` cut the form anyway cuts nothing.
+LinedTriangles cutAlong(const TriangleSoup& form, const FormCuts& cuts, const std::stop_token& stop,
                         FormDraft* draft = nullptr);
 
 } // namespace bolster

@@ -5,6 +5,7 @@
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "PlaneCurves.h"
+#include "StretchLength.h"
 #include "TwinEdits.h"
 
 #include <algorithm>
@@ -27,6 +28,7 @@ constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
 constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
+constexpr double unbearable = 0.5;   // strain: not even knitted fabrics
 constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
 constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
@@ -140,6 +142,7 @@ public:
         adviseOnHolding();
         adviseOnEdges();
         adviseOnSize();
+        adviseOnStrain();
         return std::move(m_result);
     }
 
@@ -334,6 +337,16 @@ private:
                  {numberText(m_order.edgeLength, 3), std::to_string(small)}});
     }
 
+    void adviseOnStrain()
+    {
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            if (isThere(p) && m_flat[p].strainP99 > unbearable)
+                m_result.advice.push_back(
+                    {QT_TRANSLATE_NOOP("Message", "%1 is strained by %2 % when it lies on the form, more than any "
+                                                  "fabric bears. Divide it, or cut it in where it bulges most"),
+                     {piece(p).name, numberText(100 * m_flat[p].strainP99, 2)}});
+    }
+
     /// Such as of a file whose numbers are millimetres and were taken for metres.
     void adviseOnSize()
     {
@@ -344,9 +357,10 @@ private:
         for (const Vec3& point : m_form.points)
             box.extend(point);
         m_result.advice.push_back(
-            {QT_TRANSLATE_NOOP("Message", "The form is %1 mm large: with edges of %2 mm its cover has more triangles "
-                                          "than can be solved. See whether the unit is right; else make the mesh "
-                                          "edges at least %3 mm long"),
+            {QT_TRANSLATE_NOOP("Message",
+                               "The form is %1 mm large: with edges of %2 mm its cover has more triangles "
+                               "than can be solved. See whether the unit is right; else make the mesh "
+                               "edges at least %3 mm long"),
              {numberText(box.sizes().maxCoeff(), 3), numberText(m_order.edgeLength, 3),
               numberText(std::ceil(least), 6)}});
     }
@@ -518,9 +532,32 @@ private:
                 if (!isThere(p) || !isThere(q) || !mirrors(p, q) || !mirrors(q, p))
                     continue;
                 const Edit link = edits::linkTwins(m_builder.now(), m_result.patches[p], m_result.patches[q]);
-                if (!link.empty() && checkedWell(m_builder.now().with(link)))
+                if (link.empty())
+                    continue;
+                const Design linked = m_builder.now().with(link);
+                if (checkedWell(linked) && keepsLengths(m_builder.now(), linked))
                     m_builder.apply(link);
             }
+    }
+
+    /// A follower gets other corners; with those of very short edges ends of seams could come to lie at wrong ones.
+    static bool keepsLengths(const Design& before, const Design& after)
+    {
+        bool kept = true;
+        const auto compare = [&](const Stretch& was, const Stretch& is) {
+            kept = kept && std::abs(stretchLength(after, is) - stretchLength(before, was)) <= 2 * sameShape;
+        };
+        before.each<Seam>([&](ElementId id, const Seam& seam) {
+            if (const auto* now = after.find<Seam>(id)) {
+                compare(seam.a, now->a);
+                compare(seam.b, now->b);
+            }
+        });
+        before.each<FixationSeam>([&](ElementId id, const FixationSeam& seam) {
+            if (const auto* now = after.find<FixationSeam>(id))
+                compare(seam.stretch, now->stretch);
+        });
+        return kept;
     }
 
     static bool checkedWell(const Design& design) { return !hasErrors(checkDesign(design)); }

@@ -85,7 +85,7 @@ Derivatives differentiate(CoverTeam& team, const Design& at, std::span<const Fre
         const double step = usualStep(one.front());
         const auto beside = [&](double value) -> Eigen::VectorXd {
             const Design moved = withFreedoms(at, one, Eigen::VectorXd::Constant(1, value));
-            return cover.follow(moved, stop) ? measure(cover, moved) : Eigen::VectorXd();
+            return cover.lookBeside(moved, stop) ? measure(cover, moved) : Eigen::VectorXd();
         };
         const Eigen::VectorXd after = beside(step), before = central ? beside(-step) : here;
         const std::scoped_lock lock(mutex);

@@ -26,7 +26,7 @@ constexpr double farthest = 60;         // mm: what is farther from the target d
 constexpr double mostPoints = 1e6;      // of a target
 constexpr double mostPressed = 1;       // %: of cloth that lies smooth
 constexpr double smoothWeight = 3;      // 1 % pressed together is as bad as so many mm
-constexpr double sizeWeight = 2;        // 1 % of a patch's width is as bad as so many mm
+constexpr double sizeWeight = 8;        // 1 % of a patch's width is as bad as so many mm
 
 /// Control points of a straight edge, its ends included.
 std::vector<std::vector<int>> straightEdges(const BSpline2& outline)

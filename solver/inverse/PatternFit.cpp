@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 namespace bolster {
@@ -26,6 +27,7 @@ constexpr double settledPlaces = 0.1;  // likewise where the cover lies
 constexpr double settledFew = 0.3;     // likewise, where more triangles follow
 constexpr double settledStep = 0.05;   // likewise of a step
 constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
+constexpr int iterationsBeside = 60;   // of covers that derivatives are taken from: they take some 15
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 3;
@@ -219,6 +221,7 @@ private:
             }
             untouched = share == 0 ? least : untouched;
         }
+        m_untouched = untouched;
         m_fewAreLike = isAboutPlaces() && least < alike * untouched;
         return true;
     }
@@ -229,8 +232,9 @@ private:
         const auto cover = coverOf(m_result.design, edge);
         if (!cover || m_stop.stop_requested())
             return false;
-        CoarseDerivatives derivatives({m_result.design, m_input.files}, orderFor(m_fewAreLike ? m_fewEdge : edge),
-                                      m_order.threads, m_stop);
+        WarmOrder beside = orderFor(m_fewAreLike ? m_fewEdge : edge);
+        beside.iterationsBeside = iterationsBeside;
+        CoarseDerivatives derivatives({m_result.design, m_input.files}, beside, m_order.threads, m_stop);
         if (!derivatives.problem().empty())
             return fail(derivatives.problem());
         double damping = 1e-3;
@@ -273,9 +277,24 @@ private:
             if (!improve(edge))
                 break;
         }
+        if (!(least < untouchedCost(edge))) { // it has led to other folds, or to nothing at all
+            best.setZero();
+            m_result.after = m_result.before;
+        }
         m_result.values = best;
         m_result.design = designAt(best);
         return !m_stop.stop_requested();
+    }
+
+    /// Of the pattern as it was, on the last triangles; infinite when it has no cover there.
+    double untouchedCost(double edge)
+    {
+        if (m_untouched)
+            return *m_untouched;
+        const auto cover = coverOf(m_input.design, edge);
+        return cover && !m_stop.stop_requested()
+                   ? costOn(*cover, Eigen::VectorXd::Zero(m_result.values.size()), m_input.design)
+                   : std::numeric_limits<double>::infinity();
     }
 
     void report(const WarmCover& cover, double edge, double share)
@@ -423,11 +442,11 @@ private:
         design.each<Patch>([&](ElementId id, const Patch& patch) {
             const Patch* before = m_result.design.find<Patch>(id);
             if (before && !(before->outline == patch.outline) && outlineProblem(patch.outline)) {
-                if (whole)
-                    m_result.notes.push_back(
-                        {QT_TRANSLATE_NOOP("Message", "A step would have turned the outline of "
-                                                      "%1 over itself; a smaller one was taken"),
-                         {patch.name}});
+                Message note{QT_TRANSLATE_NOOP("Message", "A step would have turned the outline of "
+                                                          "%1 over itself; a smaller one was taken"),
+                             {patch.name}};
+                if (std::ranges::find(m_result.notes, note) == m_result.notes.end())
+                    m_result.notes.push_back(std::move(note));
                 whole = false;
             }
         });
@@ -451,7 +470,8 @@ private:
     Eigen::VectorXd m_scale;  // steps of the freedoms
     Eigen::MatrixXd m_change; // the cost of a change is a form of squares of its steps
     FitResult m_result;
-    double m_reached = 0; // cost of the last round
+    double m_reached = 0;              // cost of the last round
+    std::optional<double> m_untouched; // cost of the pattern as it was, on the last triangles
     int m_stage = 0, m_stages = 1;
     double m_fewEdge = 0;      // mm, of the first triangles
     bool m_fewAreLike = false; // covers on them move as those on more triangles do

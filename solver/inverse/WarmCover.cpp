@@ -142,7 +142,8 @@ bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
     return true;
 }
 
-bool WarmCover::follow(const Design& design, const std::stop_token& stop)
+/// From home.
+bool WarmCover::startFollowing(const Design& design, const std::stop_token& stop)
 {
     m_problem = {};
     m_restsAt.reset();
@@ -157,10 +158,27 @@ bool WarmCover::follow(const Design& design, const std::stop_token& stop)
     if (!adapt(asWanted(design), stop))
         return false;
     m_relaxation->startNear(m_home);
-    if (!comeToRest(m_order.mostWarmIterations, stop))
+    return true;
+}
+
+bool WarmCover::follow(const Design& design, const std::stop_token& stop)
+{
+    if (!startFollowing(design, stop) || !comeToRest(m_order.mostWarmIterations, stop))
         return false;
     m_restsAt = design;
     return true;
+}
+
+bool WarmCover::lookBeside(const Design& design, const std::stop_token& stop)
+{
+    if (m_order.iterationsBeside <= 0)
+        return follow(design, stop);
+    if (!startFollowing(design, stop))
+        return false;
+    const bool rests = comeToRest(m_order.iterationsBeside, stop);
+    if (rests || m_relaxation->phase() == Relaxation::Phase::Running)
+        m_problem = {};
+    return !stop.stop_requested() && m_problem.empty();
 }
 
 bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)

@@ -19,6 +19,7 @@ struct WarmOrder {
     double tolerance = 1e-6; ///< as in SolveOptions
     int mostIterations = 3000;
     int mostWarmIterations = 3000; ///< from home: what takes longer counts as having no cover
+    int iterationsBeside = 0;      ///< of WarmCover::lookBeside; 0: until it rests
     bool fitsScans = false;        ///< scans that are enabled pull; else they are only there to be measured against
     int threads = 1;
 };
@@ -34,6 +35,9 @@ public:
     /// Finds the cover of another design from where home is, on the same triangles: a function of home and this
     /// design alone, whatever was asked for in between. False when it has none, or needs other triangles.
     bool follow(const Design& design, const std::stop_token& stop = {});
+    /// The same for differences: after `iterationsBeside` it is taken as it is. What goes on moving for much longer
+    /// than others is a fold that comes or goes, and says nothing of what a small change does.
+    bool lookBeside(const Design& design, const std::stop_token& stop = {});
     /// Goes to another design for good: that is home now. On other triangles if need be. When it cannot, home
     /// stays.
     bool moveHome(const Design& design, const std::stop_token& stop = {});
@@ -53,6 +57,7 @@ private:
     SolvePlan planFor(const SolveInput& input) const;
     bool slideSamples(const Design& design);
     bool adapt(const SolveInput& input, const std::stop_token& stop);
+    bool startFollowing(const Design& design, const std::stop_token& stop);
     bool comeToRest(int mostIterations, const std::stop_token& stop);
     bool factorsAreHome() const { return m_relaxation->factorings() == m_homeFactors; }
     void makeHome();

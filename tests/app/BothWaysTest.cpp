@@ -468,8 +468,21 @@ TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
     for (auto* box : dialog->findChildren<NumberBox*>())
         if (box->suffix().contains('%'))
             box->setValue(1.5);
+    const auto says = [&](const QString& words) {
+        return std::ranges::any_of(dialog->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    };
     pressIn(*dialog, "Look for changes");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found() != nullptr; }, 240000));
+    EXPECT_FALSE(dialog->found()->reliefs.empty()) << "the first one is shown when it is solved";
+    if (says("being solved")) {
+        pressIn(*dialog, "Stop");
+        EXPECT_TRUE(says("Stopped. These are solved"));
+        EXPECT_TRUE(dialog->found());
+        pressIn(*dialog, "Look for changes");
+        ASSERT_TRUE(QTest::qWaitFor([&] { return says("Each is solved by itself"); }, 240000));
+    }
+    ASSERT_TRUE(dialog->found());
     const std::vector<Relief>& reliefs = dialog->found()->reliefs;
     ASSERT_FALSE(reliefs.empty());
     ASSERT_TRUE(reliefs.front().solved);
@@ -567,8 +580,49 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     EXPECT_FALSE(shown->isChecked());
     shown->setChecked(true);
     EXPECT_TRUE(window.maps().hasGuest());
+
+    for (auto* box : dialog->findChildren<NumberBox*>())
+        if (box->suffix().isEmpty())
+            box->setValue(10'000); // more than anybody waits for
+    pressIn(*dialog, "Draw pieces");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found() && dialog->found()->resting > 0; }, 240000));
+    EXPECT_FALSE(dialog->found()->whole);
+    pressIn(*dialog, "Stop");
+    const auto says = [&](const QString& words) {
+        return std::ranges::any_of(dialog->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    };
+    EXPECT_TRUE(says("Stopped."));
+    EXPECT_TRUE(says("95 % of the pieces stay within")) << "what was solved until then counts";
+    EXPECT_TRUE(says("solved pieces."));
+    EXPECT_TRUE(window.maps().hasGuest());
     dialog->close();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.maps().hasGuest(); }, 5000));
+}
+
+/// The file is asked for when it is needed, and the search goes on with it.
+TEST_F(BothWaysTest, AFileThatIsChosenLateNeedsNoSecondPress)
+{
+    const QString path = sample("box-cushion");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const Design right = readDesign(file.readAll().toStdString()).design;
+    const SolveResult solved = solveResting(right, {});
+    ASSERT_TRUE(solved.surface);
+    ASSERT_TRUE(exportPly(*solved.surface, right, folder.filePath("built.ply")).empty());
+    ASSERT_TRUE(open(path));
+    ASSERT_TRUE(waitUntilAtRest());
+    designer.choose({"Pattern", "Why is it so?"});
+    auto* dialog = window.findChild<CauseWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    pressIn(*dialog, "Look for the cause");
+    designer.answerFileDialog(folder.filePath("built.ply"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found().has_value(); }, 240000));
+    auto* scans = dialog->findChild<QComboBox*>();
+    EXPECT_EQ(scans->currentText(), "built.ply");
+    EXPECT_EQ(scans->itemText(scans->count() - 1), QString::fromUtf8("A file \u2026")) << "for another one";
+    dialog->close();
 }
 
 } // namespace

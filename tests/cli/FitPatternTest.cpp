@@ -79,6 +79,10 @@ TEST_F(FitPattern, RefusesWordsThatItDoesNotKnow)
     expectRefused({"--to", "strain", "--freedom", "foam"}, "nothing of what --freedom names");
     expectRefused({"--to", "strain", "--max-change", "-1"}, "--max-change");
     expectRefused({"--to", "strain", "--limit", "0"}, "--limit");
+    expectRefused({"--to", "size:Top=50%", "--to", "size:Top=150%"}, "a size already");
+    expectRefused({"--to", "strain", "--area", "Top:900,100,50"}, "nothing of the patch is there");
+    expectRefused({"--to", "strain", "--lock", "patch:Top,patch:Front,patch:Rear,patch:Left,patch:Right"},
+                  "holds all of what --freedom names");
     EXPECT_EQ(fit({"--to", "strain"}).exitCode, 2) << "where to?";
     EXPECT_EQ(
         callCommandLine({"fit-pattern", path("missing.json"), "--to", "strain", "--out", path("x.json")}).exitCode,

@@ -203,6 +203,17 @@ TEST_F(SweepCommand, SaysWhatIsWrongWithAField)
     EXPECT_NE(run.out.find("pressure of element 2"), std::string::npos) << run.out;
 }
 
+/// A tolerance as large as a piece makes no pattern that can be solved.
+TEST_F(SweepCommand, NamesTolerancesThatAreTooLarge)
+{
+    write("spec.json", R"({"tolerances": {"cut_mm": 300, "stiffness_percent": 10}})");
+    const ProgramRun run = sweep("out");
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NE(run.err.find("no cover is found, such as"), std::string::npos) << run.err;
+    const Json linear = Json::parse(read("out/report.json"))["linear"];
+    EXPECT_GT(linear["without_cover"].size(), 0u);
+}
+
 TEST_F(SweepCommand, NeedsItsOptions)
 {
     const QString design = path("design.json"), spec = path("spec.json"), out = path("out");

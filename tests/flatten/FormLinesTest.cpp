@@ -3,6 +3,7 @@
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "MeshImport.h"
+#include "StretchLength.h"
 #include "TestForms.h"
 #include "TestPaths.h"
 #include "TruthForms.h"
@@ -267,7 +268,8 @@ TEST(FormLines, AlongTheBorderCutNothing)
     const Form whole = cutAlongLines(sheet(), {round});
     EXPECT_EQ(whole.pieces.size(), 1U);
     ASSERT_EQ(whole.notes.size(), 1U);
-    EXPECT_EQ(whole.notes[0].english(), "Border runs along the border of the form: there is nothing to cut");
+    EXPECT_EQ(whole.notes[0].english(),
+              "Border runs along the border of the form, or where it is cut anyway: there is nothing to cut");
 
     // Along the border, across, and back along it.
     FormLine across{"Across", {}, false};
@@ -404,6 +406,89 @@ TEST(FormTwins, AreWhereTheFormIsSymmetric)
     alone.twins = false;
     const FormPattern single = formPattern(form, flatten(form, {}), alone);
     single.design.each<Patch>([&](ElementId, const Patch& patch) { EXPECT_FALSE(patch.twin); });
+}
+
+/// Edges of half a millimetre beside each other: a twin's outline brings corners, and ends of seams must not come
+/// to lie at the wrong ones.
+TEST(FormTwins, KeepTheSeamsOfVeryShortEdges)
+{
+    const auto block = [](double x0, double x1, double y0, double y1, const std::string& name) {
+        const int rows = y1 - y0 > 1 ? 8 : 1;
+        return gridMesh(
+            6, rows, [&](double u, double v) { return Vec3(x0 + (x1 - x0) * u, y0 + (y1 - y0) * v, 0); }, name);
+    };
+    TriangleMesh all;
+    for (const double side : {1.0, -1.0}) {
+        const auto add = [&](double from, double to, double y0, double y1, const char* name) {
+            const double a = side * from, b = side * to;
+            const TriangleMesh part =
+                block(std::min(a, b), std::max(a, b), y0, y1, std::string(name) + (side > 0 ? " left" : " right"));
+            all = all.triangles.empty() ? part : sideBySide(all, part);
+        };
+        double y = 0;
+        for (const double height : {40.0, 0.45, 0.35, 40.0}) {
+            add(20, 100, y, y + height, "Strip");
+            add(100, 160, y, y + height, "Outer");
+            y += height;
+        }
+    }
+    const Form form = cutForm(all, {});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    for (const FormSeam& seam : made.seams) {
+        const auto* found = made.design.find<Seam>(seam.seam);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(stretchLength(made.design, found->a), seam.first, 0.5) << number(seam.seam);
+        EXPECT_NEAR(stretchLength(made.design, found->b), seam.second, 0.5) << number(seam.seam);
+    }
+}
+
+/// That is the same line twice, or one where the form falls apart anyway: it would leave crumbs.
+TEST(FormLines, AreCutOnceWhereTheyLieOnEachOtherOrOnACut)
+{
+    const TriangleMesh both =
+        sideBySide(gridMesh(
+                       10, 10, [](double u, double v) { return Vec3(200 * u, 200 * v, 20 * u * u); }, "A"),
+                   gridMesh(
+                       10, 10, [](double u, double v) { return Vec3(200 + 200 * u, 200 * v, 20 + 40 * u); }, "B"));
+    const FormLine middle{"Middle", {{-1, 100, 0}, {200, 100, 20}, {401, 100, 60}}, false};
+    FormLine again = middle;
+    again.name = "Again";
+    const FormLine along{"Along", {{200.1, 0, 20}, {199.9, 100, 20}, {200.1, 200, 20}}, false};
+    FormCuts cuts;
+    cuts.lines = {middle, again, along};
+    const Form form = cutForm(both, cuts);
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(form.pieces.size(), 4U);
+    ASSERT_EQ(form.notes.size(), 2U);
+    EXPECT_EQ(form.notes[0].english(), "Again runs along Middle: it is cut there once");
+    EXPECT_NE(form.notes[1].english().find("Along runs along the border"), std::string::npos);
+}
+
+/// Smooth as it was: no needle among the triangles that stand in is taken for a bend, and none turns over.
+TEST(FormOfManyTriangles, StaysSmooth)
+{
+    const TriangleMesh large = gridMesh(420, 420, [](double u, double v) {
+        const double x = 600 * u - 300, y = 600 * v - 300;
+        return Vec3(x, y, 120 - (x * x + y * y) / 1500);
+    });
+    ASSERT_GT(large.triangles.size(), mostFormTriangles);
+    FormCuts cuts;
+    cuts.angle = 20;
+    const Form form = cutForm(large, cuts);
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 1U);
+    EXPECT_LE(form.pieces.front().triangles.size(), mostFormTriangles);
+    double narrowest = 1; // height over the longest side
+    for (const auto& [a, b, c] : form.pieces.front().triangles) {
+        const auto at = [&](int v) -> const Vec3& {
+            return form.points[static_cast<std::size_t>(form.pieces.front().points[static_cast<std::size_t>(v)])];
+        };
+        const Vec3 ab = at(b) - at(a), ac = at(c) - at(a), bc = at(c) - at(b);
+        narrowest = std::min(narrowest, ab.cross(ac).norm() /
+                                            std::max({ab.squaredNorm(), ac.squaredNorm(), bc.squaredNorm()}));
+    }
+    EXPECT_GT(narrowest, 0.02);
 }
 
 TEST(FormOfManyTriangles, IsMadeSimplerWithANote)

@@ -29,6 +29,17 @@ TEST_F(WholeFileTest, ReplacesAndReads)
     EXPECT_EQ(fileCount(), 1); // no temporary file stays
 }
 
+/// Whoever was faster keeps what he wrote.
+TEST_F(WholeFileTest, ANewFileReplacesNothing)
+{
+    EXPECT_TRUE(createWholeFile(path("new.txt"), "mine").empty());
+    EXPECT_EQ(read("new.txt"), "mine");
+    const Message problem = createWholeFile(path("new.txt"), "other");
+    EXPECT_NE(problem.english().find("is there already"), std::string::npos) << problem.english();
+    EXPECT_EQ(read("new.txt"), "mine");
+    EXPECT_EQ(fileCount(), 1);
+}
+
 TEST_F(WholeFileTest, RefusesToReadWhatIsNoFileOrTooLarge)
 {
     write("a.txt", "123456");

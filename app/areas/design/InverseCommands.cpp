@@ -15,6 +15,7 @@ namespace bolster {
 
 InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     : m_parts(parts)
+    , m_undoAndRedo(commands.list({"edit.undo", "edit.redo"}))
 {
     addCommands(commands);
 }
@@ -92,8 +93,10 @@ InverseCommands::~InverseCommands()
 template <class Make>
 void InverseCommands::show(QPointer<QDialog>& dialog, const Make& make)
 {
-    if (!dialog)
+    if (!dialog) {
         dialog = make();
+        dialog->addActions(m_undoAndRedo); // what these windows make is taken back in them, too
+    }
     dialog->show();
     dialog->raise();
     dialog->activateWindow();

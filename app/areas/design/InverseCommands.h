@@ -41,6 +41,7 @@ private:
     void show(QPointer<QDialog>& dialog, const Make& make);
 
     Parts m_parts;
+    QList<QAction*> m_undoAndRedo;
     QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };
 

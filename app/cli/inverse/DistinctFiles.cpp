@@ -2,6 +2,7 @@
 
 #include "Arguments.h"
 #include "Output.h"
+#include "TemporaryFile.h"
 #include "WholeFile.h"
 
 #include <QFileInfo>
@@ -23,14 +24,28 @@ void expectDistinct(const QStringList& inputs, const QStringList& outputs)
     }
 }
 
+namespace {
+
+bool sayWritten(const QString& path, const Message& problem)
+{
+    if (problem.empty())
+        printResult("wrote " + path.toStdString());
+    else
+        printError("error: " + problem.english());
+    removeLeftTemporaryFiles(QFileInfo(resolved(path)).absolutePath());
+    return problem.empty();
+}
+
+} // namespace
+
 bool writeAndSay(const QString& path, const std::string& text)
 {
-    if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {
-        printError("error: " + problem.english());
-        return false;
-    }
-    printResult("wrote " + path.toStdString());
-    return true;
+    return sayWritten(path, replaceWholeFile(path, text));
+}
+
+bool writeNewAndSay(const QString& path, const std::string& text)
+{
+    return sayWritten(path, createWholeFile(path, text));
 }
 
 } // namespace bolster::cli

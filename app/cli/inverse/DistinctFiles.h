@@ -13,5 +13,7 @@ void expectDistinct(const QStringList& inputs, const QStringList& outputs);
 
 /// Whole or not at all, with a line that says which. False when it cannot be written.
 bool writeAndSay(const QString& path, const std::string& text);
+/// Likewise, and never over what has come to be there meanwhile.
+bool writeNewAndSay(const QString& path, const std::string& text);
 
 } // namespace bolster::cli

@@ -78,6 +78,11 @@ void printExplanations(const Explanations& found, const std::vector<Cause>& caus
     printResult("the scan shows " + numberText(100 * found.covered, 3) + " % of the cover and lies " +
                 numberText(found.rms, 3) + " mm rms from it; all causes together leave " +
                 numberText(found.noise, 3) + " mm");
+    constexpr double nothing = 0.05; // mm
+    if (found.rms < nothing) {
+        printResult("there is nothing to explain");
+        return;
+    }
     if (found.none > 0.5)
         printResult("no single cause explains that better than noise");
     for (std::size_t k = 0; k < std::min(printedCauses, found.ranked.size()); ++k) {
@@ -89,6 +94,10 @@ void printExplanations(const Explanations& found, const std::vector<Cause>& caus
         if (!one.alike.empty())
             printResult("   not to be told apart from: " + alikeText(one, causes));
     }
+    if (found.weak())
+        printError("warning: even the likeliest cause explains only " +
+                   numberText(100 * found.ranked.front().share, 2) +
+                   " % of the deviation: there may be several, or others than these");
 }
 
 Json listOf(const Eigen::VectorXd& values)

@@ -326,8 +326,9 @@ std::string reachedText(const FitGoals& goals, const FitFigures& figures)
         text += numberText(figures.distanceRms, 3) + " mm rms from the form, " +
                 numberText(figures.distanceP95, 3) + " mm within 95 %";
     if (goals.strain)
-        text +=
-            (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) + " % of the cover over the limit";
+        text += (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) +
+                (goals.area.patches.empty() && goals.area.spots.empty() ? " % of the cover over the limit"
+                                                                        : " % of the area over the limit");
     if (!goals.smooth.empty())
         text.append(text.empty() ? "" : "; ")
             .append(numberText(100 * figures.pressed, 3))
@@ -354,16 +355,31 @@ void printOutcome(const FitOrder& order, const FitResult& result)
     const double moved = largestChange(order.freedoms, result.values); // 0 when foam, pressure ... change alone
     printResult((moved > 0 ? "points have moved by " + numberText(moved, 3) + " mm at most, " : "") +
                 "the cover has moved by " + numberText(result.after.shapeRms, 3) +
-                " mm rms; sides of seams differ by " + numberText(result.after.sewnMost, 2) + " mm more at most");
+                " mm rms; sides of seams are off what is wanted by " + numberText(result.after.sewnMost, 2) +
+                " mm at most");
     for (const Message& note : result.notes)
         printError("warning: " + note.english());
+    constexpr double littleCovered = 0.2; // share of the cover
+    if (!order.goals.target.empty() && result.before.covered < littleCovered)
+        printError("warning: only " + numberText(100 * result.before.covered, 2) +
+                   " % of the cover has the form beside it: the distances are of that alone");
+    constexpr double littleGained = 0.9; // times what it was
+    constexpr double muchMore = 0.05;    // share of the cover
+    if (!order.goals.target.empty() && result.after.distanceRms > littleGained * result.before.distanceRms &&
+        result.after.overLimit > result.before.overLimit + muchMore)
+        printError("warning: it comes hardly nearer to the form, and the cloth is strained over its limits in " +
+                   numberText(100 * result.after.overLimit, 2) +
+                   " % of the cover (before: " + numberText(100 * result.before.overLimit, 2) +
+                   " %): let something else change, or less of it (--max-change)");
     if (missesLengths(order.locks, result.before, result.after))
         printError("warning: the lengths of seams did not stay: sides differ by up to " +
-                   numberText(result.after.sewnMost, 2) + " mm more than is wanted. Let more change, or the ease, "
+                   numberText(result.after.sewnMost, 2) +
+                   " mm more than is wanted. Let more change, or the ease, "
                    "too (--freedom outlines,ease)");
     if (!result.idle.empty())
-        printError("warning: " + counted(static_cast<std::int64_t>(result.idle.size()), "number") +
-                   " of those that may change does nothing to the goal, such as " + result.idle.front());
+        printError("warning: " + std::to_string(result.idle.size()) + " of " +
+                   std::to_string(order.freedoms.size()) +
+                   " things that may change do nothing to the goal, such as " + result.idle.front());
     if (result.jumped)
         printError("warning: a fold came or went on the way, so the result is less sure: look at the cover");
     if (result.status == FitResult::Status::NothingToDo)
@@ -414,7 +430,8 @@ int fitPattern(std::span<const std::string> words)
     for (const auto& [file, text] :
          {std::pair(out, writeDesign(result.design)),
           std::pair(report, report.isEmpty() ? "" : reportOf(asked.order, result).dump(1) + "\n")}) {
-        if (!file.isEmpty() && !writeAndSay(file, text))
+        const bool isReport = file == report && file != out;
+        if (!file.isEmpty() && !(isReport ? writeAndSay(file, text) : writeNewAndSay(file, text)))
             return otherFailure;
     }
     return done;

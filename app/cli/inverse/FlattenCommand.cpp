@@ -49,6 +49,7 @@ Exit code:
   0  done
   1  FILE.json is there already, an output cannot be written, or interrupted
   2  SURFACE cannot be read or laid flat, or wrong usage
+  3  a part of it is left out; the design of the rest is written nevertheless
 )";
 
 namespace {
@@ -288,9 +289,11 @@ int flattenForm(std::span<const std::string> words)
     }
     printPieces(form, flat, made);
     interrupt.beginWriting();
-    const bool written = writeAndSay(out, writeDesign(made.design)) &&
+    const bool written = writeNewAndSay(out, writeDesign(made.design)) &&
                          (report.isEmpty() || writeAndSay(report, reportOf(form, flat, made).dump(1) + "\n"));
-    return written ? done : otherFailure;
+    if (!written)
+        return otherFailure;
+    return std::ranges::count(made.patches, noElement) > 0 ? partLeftOut : done;
 }
 
 } // namespace bolster::cli

@@ -132,7 +132,7 @@ int writeReliefs(const Arguments& arguments, const Design& design, const ReliefL
     if (const QString report = arguments.path("--report"); !report.isEmpty())
         files.emplace_back(report, reliefReport(list).dump(1) + "\n");
     for (const auto& [file, text] : files) {
-        if (!writeAndSay(file, text))
+        if (!(file == arguments.path("--report") ? writeAndSay(file, text) : writeNewAndSay(file, text)))
             return otherFailure;
     }
     return done;
@@ -161,7 +161,9 @@ int relieve(std::span<const std::string> words)
         ProgressLine line("solving");
         list = proposeReliefs(
             {opened.design, opened.files}, order,
-            [&](double share, const ReliefList*) { line.say("solving, " + numberText(std::floor(100 * share), 3) + " %"); },
+            [&](double share, const ReliefList*) {
+                line.say("solving, " + numberText(std::floor(100 * share), 3) + " %");
+            },
             interrupt.token());
     }
     if (interrupt.token().stop_requested())

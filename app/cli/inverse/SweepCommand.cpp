@@ -175,6 +175,8 @@ public:
         const std::vector<float> map = solvedP95(resting);
         if (std::ssize(solved) != samples)
             return "samples are missing";
+        if (m_sweep.unknown().size() == m_spec.tolerances.all.size() && resting.empty())
+            return "with none of these tolerances a cover is found: make them smaller";
         for (const auto& [name, text] : {std::pair("report.json", report(solved, resting, map).dump(1) + "\n"),
                                          std::pair("samples.csv", csvOf(solved)),
                                          std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_linearP95, map))})

@@ -35,7 +35,7 @@ double positive(const Json& value, const std::string& where)
 {
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number > 0 && number < 1e6))
-        refuse(where, "a number above 0 is expected");
+        refuse(where, "a number above 0 and below 1000000 is expected");
     return number;
 }
 

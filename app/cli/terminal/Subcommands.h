@@ -5,7 +5,7 @@
 
 namespace bolster::cli {
 
-enum ExitCode { done = 0, otherFailure = 1, badInput = 2, notConverged = 3, partlyLooked = 3 };
+enum ExitCode { done = 0, otherFailure = 1, badInput = 2, notConverged = 3, partlyLooked = 3, partLeftOut = 3 };
 
 /// `words` is what follows the name of the subcommand. They throw UsageError.
 int check(std::span<const std::string> words);

@@ -33,6 +33,8 @@ struct Explanations {
 
     /// Most of the deviation is like nothing that a cause does: what the cover gets wrong drowns a small one.
     bool mostlyUnexplained() const { return 2 * noise * noise > rms * rms; }
+    /// The likeliest cause explains less than half: how probable it is says little then, as that is of one cause.
+    bool weak() const { return !ranked.empty() && 2 * ranked.front().share < 1; }
 };
 
 /// Covers of one design beside each cause. Not for several threads at once; uses several itself.
