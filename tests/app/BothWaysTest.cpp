@@ -298,10 +298,21 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
         << "figures are those of what is shown";
     EXPECT_NE(said().section('\n', 1), all.section('\n', 1));
 
+    const auto& solver = window.solver();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return solver.upToDate() && solver.status().resting; }, 60000))
+        << "what is looked at comes to rest";
+    const SurfaceMeshPtr shown = solver.surface();
+
     const int steps = window.document().history().count();
     pressIn(*dialog, "Take the changes");
     EXPECT_FALSE(window.document().gestureRunning());
     EXPECT_EQ(window.document().history().count(), steps + 1);
+    ASSERT_TRUE(waitUntilAtRest());
+    ASSERT_EQ(solver.surface()->positions.size(), shown->positions.size());
+    double most = 0;
+    for (std::size_t v = 0; v < shown->positions.size(); ++v)
+        most = std::max(most, (solver.surface()->positions[v] - shown->positions[v]).norm());
+    EXPECT_LT(most, 1e-6) << "the cover that was seen is the one that was taken";
     EXPECT_TRUE(outlineNow(left) == before.find<Patch>(left)->outline);
     EXPECT_LT((outlineNow(taken).points()[0] - half).norm(), 1e-9);
     dialog->close();

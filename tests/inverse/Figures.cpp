@@ -67,9 +67,9 @@ private:
     std::chrono::steady_clock::time_point m_from = std::chrono::steady_clock::now();
 };
 
-SurfaceMeshPtr restingCover(const SolveInput& input)
+SurfaceMeshPtr restingCover(const SolveInput& input, double tolerance = SolveOptions{}.tolerance)
 {
-    const SolveResult result = solveResting(input, {});
+    const SolveResult result = solveResting(input, {.tolerance = tolerance});
     if (!result.surface) {
         std::cerr << result.reason.english() << "\n";
         std::exit(EXIT_FAILURE);
@@ -280,6 +280,10 @@ Eigen::VectorXd heightsOver(const SurfaceMesh& before, const SurfaceMesh& after)
     return heights;
 }
 
+/// Of covers that are compared: single points move a cover by some hundredths of a millimetre, and with the usual
+/// tolerance it may lie that much beside its rest.
+constexpr double closely = 1e-8; // relative to D
+
 /// The cover of a changed design from its usual start, on the triangles of the design before, bent: null where they
 /// cannot stay.
 SurfaceMeshPtr restingOnBent(const SolveInput& before, const SolveInput& changed)
@@ -292,7 +296,7 @@ SurfaceMeshPtr restingOnBent(const SolveInput& before, const SolveInput& changed
     if (!sheet || !followDesign(*sheet, warp, changed, planSolve(before, changed), pool, problems))
         return nullptr;
     GhostCache ghosts;
-    Relaxation relaxation(sheet->mesh, pool, SolveOptions{}.tolerance,
+    Relaxation relaxation(sheet->mesh, pool, closely,
                           makeGhosts({sheet->design, sheet->files}, sheet->mesh, ghosts, problems, pool));
     relaxation.startCanonically();
     while (relaxation.phase() == Relaxation::Phase::Running)
@@ -317,13 +321,18 @@ double medianOf(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-void printDerivativesOf(const Real& real, const char* kind, const std::vector<Freedom>& freedoms, CoverTeam& team,
+struct Teams {
+    CoverTeam usual, close; ///< with the usual tolerance, as it takes its time; and with the other
+};
+
+void printDerivativesOf(const Real& real, const char* kind, const std::vector<Freedom>& freedoms, Teams& teams,
                         const SurfaceMesh& home)
 {
     const CoverMeasure places = [](const WarmCover& cover, const Design&) { return placesOf(cover); };
     const Stopwatch watch;
-    const Derivatives found = differentiate(team, real.input.design, freedoms, places, false);
+    differentiate(teams.usual, real.input.design, freedoms, places, false);
     const double time = watch.seconds() / static_cast<double>(freedoms.size());
+    const Derivatives found = differentiate(teams.close, real.input.design, freedoms, places, false);
     std::vector<double> moved, wrong, share, sameShare;
     double fullTime = 0;
     for (std::size_t k = 0; k < freedoms.size(); ++k) {
@@ -334,8 +343,9 @@ void printDerivativesOf(const Real& real, const char* kind, const std::vector<Fr
             withFreedoms(real.input.design, std::span(&freedoms[k], 1), Eigen::VectorXd::Constant(1, step)),
             real.input.files};
         const Stopwatch fullWatch;
-        const SurfaceMeshPtr full = restingCover(changed);
+        restingCover(changed);
         fullTime += fullWatch.seconds();
+        const SurfaceMeshPtr full = restingCover(changed, closely);
         SurfaceMesh predicted = home;
         for (std::size_t v = 0; v < home.positions.size(); ++v)
             predicted.positions[v] +=
@@ -372,8 +382,8 @@ void printDerivatives(const std::vector<Real>& covers, const Amount& amount)
         "| the same triangles: wrong by, of the move (at worst) | time of a derivative s | of a full solve s "
         "|\n|---|---|---|---|---|---|---|---|\n");
     for (const Real& real : covers) {
-        CoverTeam team(real.input, {}, 0);
-        const SurfaceMesh home = *team.first().surface();
+        Teams teams{CoverTeam(real.input, {}, 0), CoverTeam(real.input, {.tolerance = closely}, 0)};
+        const SurfaceMesh home = *teams.close.first().surface();
         const Design& design = real.input.design;
         std::vector<Freedom> cuts;
         for (const Tolerance& tolerance : cutTolerances(design, 1))
@@ -381,7 +391,7 @@ void printDerivatives(const std::vector<Real>& covers, const Amount& amount)
         for (const auto& [kind, all] :
              {std::pair("points of outlines", outlineFreedoms(design)), std::pair("whole outlines", cuts),
               std::pair("fixations", fixationFreedoms(design)), std::pair("pressure", pressureFreedoms(design))})
-            printDerivativesOf(real, kind, someOf(all, amount.numbers / 3), team, home);
+            printDerivativesOf(real, kind, someOf(all, amount.numbers / 3), teams, home);
     }
 }
 
