@@ -10538,6 +10538,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>Das ist kaum näher und dehnt den Stoff stärker: lassen Sie anderes sich ändern, oder weniger davon.</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>Zurückgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10538,6 +10538,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>Apenas se acerca y deforma más la tela: deje cambiar otra cosa, o menos.</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>Deshecho.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10538,6 +10538,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>C’est à peine plus près, et le tissu est plus déformé&#x202f;: laissez changer autre chose, ou moins.</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>Repris.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

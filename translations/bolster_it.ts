@@ -10538,6 +10538,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>È appena più vicino e deforma di più il tessuto: lasci cambiare altro, o meno.</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>Annullato.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10511,6 +10511,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>ほとんど近づかず、布地のひずみが増えています。別のものを変えるか、変更を少なくしてください。</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>元に戻しました。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

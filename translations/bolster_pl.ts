@@ -10565,6 +10565,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>To prawie nie zbliża, a bardziej odkształca tkaninę: proszę pozwolić zmienić się czemuś innemu albo mniej.</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>Cofnięto.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

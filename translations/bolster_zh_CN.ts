@@ -10511,6 +10511,10 @@
         <source>That is hardly nearer, and strains the cloth more: let something else change, or less of it.</source>
         <translation>这样几乎没有更接近，面料应变却更大：请改为允许其他变化，或减少变化。</translation>
     </message>
+    <message>
+        <source>Taken back.</source>
+        <translation>已撤回。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

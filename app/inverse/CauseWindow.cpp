@@ -200,8 +200,7 @@ void CauseWindow::say()
         m_said->setText(tr("The scan shows nothing of the cover: does it lie where the design is?"));
         return;
     }
-    constexpr double nothing = 0.05; // mm
-    if (all.rms < nothing) {
+    if (all.nothing()) {
         m_said->setText(tr("The scan lies on the cover: there is nothing to explain."));
         return;
     }

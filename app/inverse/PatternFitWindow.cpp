@@ -346,7 +346,8 @@ void PatternFitWindow::sayMoves()
     for (int row = 0; row < m_patches->topLevelItemCount(); ++row) {
         QTreeWidgetItem* item = m_patches->topLevelItem(row);
         const double all = movedBy(*m_found, static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt()));
-        item->setText(1, lengthText(all * m_share->value() / m_share->maximum(), 1));
+        const bool moves = item->checkState(0) == Qt::Checked;
+        item->setText(1, lengthText(moves ? all * m_share->value() / m_share->maximum() : 0, 1));
     }
 }
 
@@ -399,6 +400,7 @@ void PatternFitWindow::commit()
     m_found.reset(); // what the commit makes of the design is no surprise
     m_gesture->commit();
     forget(tr("Taken. Undo takes it back."));
+    m_taken = true;
 }
 
 /// Undo, Escape or another gesture has taken back what is shown.
@@ -421,6 +423,7 @@ void PatternFitWindow::previewEnded()
 void PatternFitWindow::forget(const QString& why)
 {
     m_found.reset();
+    m_taken = false;
     m_gesture.reset();
     endMeasuring();
     m_pattern.showArrows({});
@@ -431,6 +434,10 @@ void PatternFitWindow::forget(const QString& why)
 /// Who works on meanwhile has another design.
 void PatternFitWindow::documentChanged()
 {
+    if (m_taken && m_document.committed() == m_start) {
+        m_taken = false;
+        m_said->setText(tr("Taken back."));
+    }
     if (!m_found && !m_run->running())
         return;
     if (m_run->running() && !(m_document.committed() == m_start)) {

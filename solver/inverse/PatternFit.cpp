@@ -27,11 +27,12 @@ constexpr double settledPlaces = 0.1;  // likewise where the cover lies
 constexpr double settledFew = 0.3;     // likewise, where more triangles follow
 constexpr double settledStep = 0.05;   // likewise of a step
 constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
-constexpr int iterationsBeside = 60;   // of covers that derivatives are taken from: they take some 15
+constexpr int iterationsBeside = 40;   // of covers that derivatives are taken from: they take some 15
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 3;
-constexpr double sprang = 1.5; // times the cost that the last round had: the cover has come to rest elsewhere
+constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
+constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
 constexpr double leastEffect = 1e-7;                            // of a freedom, against the strongest one
 
@@ -277,7 +278,7 @@ private:
             if (!improve(edge))
                 break;
         }
-        if (!(least < untouchedCost(edge))) { // it has led to other folds, or to nothing at all
+        if (!(least < leastWorth * untouchedCost(edge))) { // it has led to other folds, or to nothing at all
             best.setZero();
             m_result.after = m_result.before;
         }

@@ -28,8 +28,11 @@ void SolverWorker::request(Request request)
 {
     const std::lock_guard lock(m_requestMutex); // or it might stop what is made for itself
     const bool passing = request.passing;
+    // What does not touch the cover need not begin anew what may have taken seconds.
+    const bool goesOn =
+        m_preparesRest && !passing && planSolve(*m_preparesRest, request.input) == SolvePlan::Nothing;
     m_in.put(std::move(request));
-    if (!passing || m_preparesRest)
+    if ((!passing || m_preparesRest) && !goesOn)
         m_preparing.request_stop();
 }
 

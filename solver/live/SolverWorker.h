@@ -95,6 +95,7 @@ private:
     void keepResting();
     void startResting(const SolveInput& input, bool afterGesture);
     std::unique_ptr<Sheet> sheetAtStart(const SolveInput& input, bool afterGesture);
+    void showCoarse(const Sheet& sheet, const SheetState& coarse);
     void showOnNewTriangles(const Sheet& sheet);
     void iterateResting();
     void endResting();
@@ -114,9 +115,9 @@ private:
 
     Mailbox<Request> m_in;
     Mailbox<SolverOutput> m_out;
-    std::mutex m_requestMutex;    // for the mailbox, the source and the flag together
-    std::stop_source m_preparing; // of what is made for the request taken last
-    bool m_preparesRest = false;  // which no gesture waits for
+    std::mutex m_requestMutex;                // for the mailbox, the source and the flag together
+    std::stop_source m_preparing;             // of what is made for the request taken last
+    std::optional<SolveInput> m_preparesRest; // what is made ready for it, which no gesture waits for
     std::function<void()> m_wake;
 
     WorkerPool m_pool{0};

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double restingTolerance = 1e-6; // relative to D
 constexpr double visibleDistance = 0.5;   // mm: a resting surface this near replaces the live one during a gesture
+constexpr double farFromCoarse = 12;      // mm: several times what covers on few triangles are off
 constexpr double springDistance = 5;      // mm: more than anybody takes for lagging behind the pointer
 constexpr double wayInterval = 15;        // ms: between surfaces of a cover that nothing is known of yet
 constexpr double countInterval = 100;     // ms: between numbers of iterations
@@ -126,20 +127,20 @@ void SolverWorker::keepResting()
 
 void SolverWorker::startResting(const SolveInput& input, bool afterGesture)
 {
-    const auto preparesRest = [this](bool on) {
+    const auto preparesRest = [this](std::optional<SolveInput> what) {
         const std::lock_guard lock(m_requestMutex);
-        m_preparesRest = on;
+        m_preparesRest = std::move(what);
     };
     m_restingWaits = false;
-    preparesRest(true);
+    preparesRest(input);
     std::unique_ptr<Sheet> sheet;
     try {
         sheet = sheetAtStart(input, afterGesture);
     } catch (...) {
-        preparesRest(false);
+        preparesRest(std::nullopt);
         throw;
     }
-    preparesRest(false);
+    preparesRest(std::nullopt);
     if (!sheet)
         return; // a newer request is there
     m_restingInput = input;
@@ -163,7 +164,9 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::sheetAtStart(const SolveInput
     std::unique_ptr<Sheet> sheet = prepare(input, m_triangulations);
     if (!sheet)
         return nullptr;
-    if (afterGesture && planSolve(m_restInput, input) != SolvePlan::Nothing) // else it was cancelled
+    const bool cancelled = planSolve(m_restInput, input) == SolvePlan::Nothing;
+    const bool ledThere = planSolve(m_liveInput, input) == SolvePlan::Nothing; // else it was undone at once
+    if (afterGesture && !cancelled && ledThere)
         showOnNewTriangles(*sheet);
     const auto next = [this](SolverStatus::Stage stage) {
         m_status.stage = stage;
@@ -172,14 +175,32 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::sheetAtStart(const SolveInput
     };
     next(SolverStatus::Stage::FewerTriangles);
     std::optional<SheetState> coarse = coarseStart(sheet->prepared, m_ghostCache, m_pool, m_preparing.get_token());
-    if (coarse && !m_gesture && !m_live && !m_shownKept) // nothing else is to be seen yet
-        publishSurface(makeSurface(sheet->prepared.mesh, *coarse, ++m_surfaceRevision));
+    if (coarse && !m_gesture && !afterGesture)
+        showCoarse(*sheet, *coarse);
     next(SolverStatus::Stage::Equations);
     if (!factor(*sheet, restingTolerance))
         return nullptr;
     if (sheet->relaxation)
         startFromDesign(*sheet->relaxation, std::move(coarse));
     return m_preparing.stop_requested() ? nullptr : std::move(sheet);
+}
+
+/// The first that is seen of a design; later instead of what is far from it, as after undo: a surface of another
+/// design for seconds is worse than one that moves by some millimetres more in the end.
+void SolverWorker::showCoarse(const Sheet& sheet, const SheetState& coarse)
+{
+    auto surface = makeSurface(sheet.prepared.mesh, coarse, m_surfaceRevision + 1);
+    CoverMove move;
+    if (m_surface && (m_live || m_shownKept)) {
+        move = moveBetween(*m_surface, *surface);
+        if (!move.from || move.distance < farFromCoarse)
+            return;
+    }
+    ++m_surfaceRevision;
+    publishSurface(std::move(surface));
+    m_from = std::move(move.from);
+    m_designRevision = m_takenRevision;
+    publish(SolverStatus::State::Preparing);
 }
 
 /// Where a gesture has led, on the triangles of what will be at rest.

@@ -15,7 +15,7 @@ namespace bolster {
 
 InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     : m_parts(parts)
-    , m_undoAndRedo(commands.list({"edit.undo", "edit.redo"}))
+    , m_alsoThere(commands.list({"edit.undo", "edit.redo", "file.save", "file.quit"}))
 {
     addCommands(commands);
 }
@@ -95,7 +95,7 @@ void InverseCommands::show(QPointer<QDialog>& dialog, const Make& make)
 {
     if (!dialog) {
         dialog = make();
-        dialog->addActions(m_undoAndRedo); // what these windows make is taken back in them, too
+        dialog->addActions(m_alsoThere);
     }
     dialog->show();
     dialog->raise();
@@ -109,8 +109,15 @@ QDialog* InverseCommands::formWindow()
             [this](const std::vector<ElementId>& added, const Box3& where) {
                 m_parts.selection.set({added.begin(), added.end()});
                 m_parts.pattern.navigation().fitAll();
-                if (CoverNavigation& cover = m_parts.cover.navigation(); !cover.inPicture(where))
+                CoverNavigation& cover = m_parts.cover.navigation();
+                if (!cover.inPicture(where))
                     cover.fit(where);
+                m_parts.solver.whenAtRest(this,
+                                          [this](const SurfaceMeshPtr&) { // held by nothing it may go elsewhere
+                                              const Box3 box = m_parts.cover.shown().selectedBox();
+                                              if (!box.isEmpty() && !m_parts.cover.navigation().inPicture(box))
+                                                  m_parts.cover.navigation().fitSelection();
+                                          });
             });
     return window;
 }

@@ -41,7 +41,7 @@ private:
     void show(QPointer<QDialog>& dialog, const Make& make);
 
     Parts m_parts;
-    QList<QAction*> m_undoAndRedo;
+    QList<QAction*> m_alsoThere; ///< whose keys do in the windows what they do in the main one
     QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };
 

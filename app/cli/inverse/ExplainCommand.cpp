@@ -75,14 +75,14 @@ std::string alikeText(const Explanation& one, const std::vector<Cause>& causes)
 
 void printExplanations(const Explanations& found, const std::vector<Cause>& causes)
 {
+    if (found.nothing()) {
+        printResult("the scan shows " + numberText(100 * found.covered, 3) +
+                    " % of the cover and lies on it: there is nothing to explain");
+        return;
+    }
     printResult("the scan shows " + numberText(100 * found.covered, 3) + " % of the cover and lies " +
                 numberText(found.rms, 3) + " mm rms from it; all causes together leave " +
                 numberText(found.noise, 3) + " mm");
-    constexpr double nothing = 0.05; // mm
-    if (found.rms < nothing) {
-        printResult("there is nothing to explain");
-        return;
-    }
     if (found.none > 0.5)
         printResult("no single cause explains that better than noise");
     for (std::size_t k = 0; k < std::min(printedCauses, found.ranked.size()); ++k) {

@@ -143,7 +143,8 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
     SweepSpec result;
     addTolerances(spec["tolerances"], design, result.tolerances);
     if (result.tolerances.all.empty())
-        refuse("tolerances", "nothing varies: the design has nothing of that");
+        refuse("tolerances", spec["tolerances"].empty() ? "nothing varies: no tolerance is given"
+                                                        : "nothing varies: the design has nothing of that");
     for (const auto& [key, value] : spec.items()) {
         if (key == "distribution") {
             if (value != "uniform" && value != "normal")

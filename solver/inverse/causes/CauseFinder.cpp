@@ -65,7 +65,7 @@ Measured measuredBy(const SurfaceMesh& surface, const std::vector<double>& outsi
             kept.push_back(areas[v]);
         }
     const Eigen::Map<const Eigen::VectorXd> area(kept.data(), std::ssize(kept));
-    measured.covered = area.sum() / std::accumulate(areas.begin(), areas.end(), 0.0);
+    measured.covered = std::min(1.0, area.sum() / std::accumulate(areas.begin(), areas.end(), 0.0));
     measured.places = std::clamp(area.sum() / (independent * independent), fewestPlaces,
                                  std::max(fewestPlaces, static_cast<double>(kept.size())));
     measured.scale = (area * (measured.places / area.sum())).cwiseSqrt();

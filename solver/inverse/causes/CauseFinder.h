@@ -32,7 +32,9 @@ struct Explanations {
     std::vector<Explanation> ranked;
 
     /// Most of the deviation is like nothing that a cause does: what the cover gets wrong drowns a small one.
-    bool mostlyUnexplained() const { return 2 * noise * noise > rms * rms; }
+    bool mostlyUnexplained() const { return !nothing() && 2 * noise * noise > rms * rms; }
+    /// The scan lies on the cover.
+    bool nothing() const { return rms < 0.05; }
     /// The likeliest cause explains less than half: how probable it is says little then, as that is of one cause.
     bool weak() const { return !ranked.empty() && 2 * ranked.front().share < 1; }
 };

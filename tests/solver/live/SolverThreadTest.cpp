@@ -429,6 +429,29 @@ TEST(SolverThread, GivesUpWhatIsOutdated)
     EXPECT_EQ(after->surface->revision, before->surface->revision);
 }
 
+/// An element that does nothing to the cover comes while that is being prepared.
+TEST(SolverThread, WhatDoesNotTouchTheCoverBeginsNothingAnew)
+{
+    Design design = box(300, 100, 20, 10, 0);
+    Settings fine;
+    fine.edgeLength = 0.8;
+    design = design.with({{}, {{settingsId, design.element(settingsId), makeElement(fine)}}});
+    Listener solver;
+    solver.request(design, 1);
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) {
+        return o.status.state == State::Preparing && o.status.stage != SolverStatus::Stage::Triangles;
+    }));
+    Fabric unused;
+    unused.name = "Unused";
+    solver.request(design.with({{}, {{design.nextId(), nullptr, makeElement(unused)}}}), 2);
+    bool again = false;
+    ASSERT_TRUE(solver.waitFor([&](const SolverOutput& o) {
+        again = again || (o.status.state == State::Preparing && o.status.stage == SolverStatus::Stage::Triangles);
+        return o.designRevision == 2 && o.status.resting;
+    }));
+    EXPECT_FALSE(again);
+}
+
 TEST(SolverThread, StopsInTheMiddleOfWork)
 {
     for (const State middle : {State::Preparing, State::Moving}) {
