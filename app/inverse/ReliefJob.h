@@ -19,7 +19,7 @@ struct ReliefWanted {
 
 struct ReliefFound {
     int number = 0;
-    ReliefList list; ///< of the solved ones
+    ReliefList list;              ///< of the solved ones
     QImage now;                   ///< in the colours of its strain
     std::vector<QImage> pictures; ///< of these reliefs, in the same colours
     bool whole = false;           ///< there is nothing more to come

@@ -17,14 +17,14 @@ struct SweepFound {
     int number = 0;
     Message problem; ///< why there is no answer; empty when there is one
     SurfaceMeshPtr nominal;
-    std::vector<float> p95;        ///< mm, per vertex: by linear covers, or by the solved ones
-    std::vector<double> influence; ///< of each tolerance, as shares of the variance
-    std::vector<double> mostMoved; ///< mm: how far each moves the cover anywhere
+    std::vector<float> p95;           ///< mm, per vertex: by linear covers, or by the solved ones
+    std::vector<double> influence;    ///< of each tolerance, as shares of the variance
+    std::vector<double> mostMoved;    ///< mm: how far each moves the cover anywhere
     std::vector<std::size_t> unknown; ///< tolerances with which no cover was found
-    int solved = 0;                ///< pieces by which p95 is known; 0: linear covers
-    int resting = 0;               ///< of them, that came to rest
-    int out = 0;                   ///< pieces out of the limit, of the solved ones or of all linear ones
-    bool whole = false;            ///< there is nothing more to come
+    int solved = 0;                   ///< pieces by which p95 is known; 0: linear covers
+    int resting = 0;                  ///< of them, that came to rest
+    int out = 0;                      ///< pieces out of the limit, of the solved ones or of all linear ones
+    bool whole = false;               ///< there is nothing more to come
 
     static constexpr int linearSamples = 10'000;
     /// Share of pieces that are out of the limit.

@@ -32,7 +32,7 @@ public:
 
     void fitAll();
     void fit(const Box3& box); ///< mm
-    void fitSelection(); ///< everything when nothing that is shown is selected
+    void fitSelection();       ///< everything when nothing that is shown is selected
     /// Turns smoothly and fits the whole scene, and this box (mm) with it.
     void setStandardView(bolster::CoverNavigation::StandardView view, const bolster::Box3& with = {});
     void lookFrom(double azimuth, double elevation); ///< likewise; radians
