@@ -14,10 +14,26 @@ namespace {
 
 constexpr double restingTolerance = 1e-6; // relative to D
 constexpr double visibleDistance = 0.5;   // mm: a resting surface this near replaces the live one during a gesture
+constexpr double mostBehind = 20;         // mm: the pointer may be as far ahead of the last step when it is let go
 constexpr double farFromCoarse = 12;      // mm: several times what covers on few triangles are off
 constexpr double springDistance = 5;      // mm: more than anybody takes for lagging behind the pointer
 constexpr double wayInterval = 15;        // ms: between surfaces of a cover that nothing is known of yet
 constexpr double countInterval = 100;     // ms: between numbers of iterations
+
+/// Whether outlines have gone about there. They have not when the gesture was undone at once: on the triangles of
+/// what was before its cover would be torn.
+bool ledNear(const Design& led, const Design& design)
+{
+    bool near = true;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        const auto* there = led.find<Patch>(id);
+        const std::vector<Vec2>& points = patch.outline.points();
+        near = near && there && there->outline.points().size() == points.size();
+        for (std::size_t k = 0; near && k < points.size(); ++k)
+            near = (there->outline.points()[k] - points[k]).norm() <= mostBehind;
+    });
+    return near;
+}
 
 } // namespace
 
@@ -165,8 +181,7 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::sheetAtStart(const SolveInput
     if (!sheet)
         return nullptr;
     const bool cancelled = planSolve(m_restInput, input) == SolvePlan::Nothing;
-    const bool ledThere = planSolve(m_liveInput, input) == SolvePlan::Nothing; // else it was undone at once
-    if (afterGesture && !cancelled && ledThere)
+    if (afterGesture && !cancelled && ledNear(m_liveInput.design, input.design))
         showOnNewTriangles(*sheet);
     const auto next = [this](SolverStatus::Stage stage) {
         m_status.stage = stage;

@@ -184,6 +184,35 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
     EXPECT_EQ(count<FixationCurve>(), 4);
 }
 
+TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)
+{
+    writeBowl(folder.filePath("bowl.obj"));
+    Design start;
+    Frame frame;
+    frame.name = "Bucket";
+    frame.file = "bowl.obj";
+    const ElementId id = start.nextId();
+    start = start.with({{}, {{id, nullptr, makeElement(frame)}}});
+    writeText(folder.filePath("bucket.json"), writeDesign(start));
+    ASSERT_TRUE(open(folder.filePath("bucket.json")));
+    waitForBackground();
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    Frame moved = *design().find<Frame>(id);
+    moved.position += Vec3(0, 0, 500);
+    window.document().commit({{}, {{id, design().element(id), makeElement(moved)}}});
+    EXPECT_FALSE(dialog->made()) << "that was of the frame where it had been";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    Box3 box;
+    for (const Vec3& point : dialog->made()->form.points)
+        box.extend(point);
+    EXPECT_NEAR(box.min().z(), 500, 1e-6);
+    EXPECT_NEAR(box.max().z(), 500 + bowlHeight, 1e-6);
+    dialog->close();
+}
+
 /// OBJ says nothing of its axes; by custom y points up.
 TEST_F(BothWaysTest, AFormThatLiesWhereTheCoverIsIsTakenAsItLies)
 {
