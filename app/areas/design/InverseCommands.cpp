@@ -9,6 +9,7 @@
 #include "PatternView.h"
 #include "ReliefWindow.h"
 #include "Selection.h"
+#include "SolverLink.h"
 #include "SweepWindow.h"
 
 namespace bolster {

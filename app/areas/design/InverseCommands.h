@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QList>
 #include <QObject>
 #include <QPointer>
 
+class QAction;
 class QDialog;
 
 namespace bolster {
