@@ -27,11 +27,9 @@ namespace bolster {
 
 namespace {
 
-constexpr double arrowsApart = 14;   // pixels
-constexpr double longestArrow = 45;  // pixels
-constexpr int restOfSlider = 250;    // ms, before a part of the changes is measured
-constexpr double littleGained = 0.9; // times the distance before
-constexpr double muchMore = 0.05;    // of the cover, over the limit
+constexpr double arrowsApart = 14;  // pixels
+constexpr double longestArrow = 45; // pixels
+constexpr int restOfSlider = 250;   // ms, before a part of the changes is measured
 
 /// How far points of a patch would move at most with all of the change, mm.
 double movedBy(const FitFound& found, ElementId patch)
@@ -256,8 +254,7 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
         lines << (inArea ? tr("Strained over the limit: %1 of the painted area before, %2 now")
                          : tr("Strained over the limit: %1 of the cover before, %2 now"))
                      .arg(percentText(before.overLimit), share(&FitFigures::overLimit));
-    if (m_sought.lies && now && now->distanceRms > littleGained * before.distanceRms &&
-        now->overLimit > before.overLimit + muchMore)
+    if (m_sought.lies && now && strainsForLittle(before, *now))
         lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
     if (m_sought.smooth)
         lines << tr("Pressed together: %1 before, %2 now")

@@ -92,5 +92,8 @@ struct FitFigures {
 
 /// Whether sides of seams, whose lengths were to stay, differ by more than a change may make of them.
 bool missesLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after);
+/// Whether a cover that should come nearer to a target hardly does, and much more of it is strained over its
+/// limits.
+bool strainsForLittle(const FitFigures& before, const FitFigures& after);
 
 } // namespace bolster

@@ -128,6 +128,13 @@ bool missesLengths(const FitLocks& locks, const FitFigures& before, const FitFig
     return locks.lengths && locks.ease && after.sewnMost > before.sewnMost + unseen;
 }
 
+bool strainsForLittle(const FitFigures& before, const FitFigures& after)
+{
+    constexpr double littleGained = 0.9; // times the distance before
+    constexpr double muchMore = 0.05;    // of the cover
+    return after.distanceRms > littleGained * before.distanceRms && after.overLimit > before.overLimit + muchMore;
+}
+
 bool FitArea::hasWhole(ElementId patch) const
 {
     return (patches.empty() && spots.empty()) || patches.contains(patch);

@@ -363,10 +363,7 @@ void printOutcome(const FitOrder& order, const FitResult& result)
     if (!order.goals.target.empty() && result.before.covered < littleCovered)
         printError("warning: only " + numberText(100 * result.before.covered, 2) +
                    " % of the cover has the form beside it: the distances are of that alone");
-    constexpr double littleGained = 0.9; // times what it was
-    constexpr double muchMore = 0.05;    // share of the cover
-    if (!order.goals.target.empty() && result.after.distanceRms > littleGained * result.before.distanceRms &&
-        result.after.overLimit > result.before.overLimit + muchMore)
+    if (!order.goals.target.empty() && strainsForLittle(result.before, result.after))
         printError("warning: it comes hardly nearer to the form, and the cloth is strained over its limits in " +
                    numberText(100 * result.after.overLimit, 2) +
                    " % of the cover (before: " + numberText(100 * result.before.overLimit, 2) +
