@@ -1,6 +1,6 @@
 #include "PatchTriangulator.h"
 
-#include "SegmentGrid.h"
+#include "SeedLattice.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -31,56 +31,7 @@ public:
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, SidedFace<>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
 
-constexpr double seedGap = 0.55; // seeds keep this many edge lengths away from the outline and inner lines
-constexpr int smoothingRounds = 3;
-
-/// For each of these heights, increasing: where a horizontal line enters and leaves the outline, increasing.
-std::vector<std::vector<double>> crossings(const std::vector<Vec2>& boundary, const std::vector<double>& heights)
-{
-    std::vector<std::vector<double>> crossings(heights.size());
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
-        const Vec2& p = boundary[i];
-        const Vec2& q = boundary[(i + 1) % boundary.size()];
-        const auto [low, high] = std::minmax(p.y(), q.y());
-        for (auto y = std::ranges::lower_bound(heights, low); y != heights.end() && *y < high; ++y)
-            crossings[y - heights.begin()].push_back(p.x() + (*y - p.y()) / (q.y() - p.y()) * (q.x() - p.x()));
-    }
-    for (std::vector<double>& xs : crossings)
-        std::sort(xs.begin(), xs.end());
-    return crossings;
-}
-
-std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, const std::vector<InnerLine>& lines, double edge)
-{
-    Box2 box;
-    for (const Vec2& p : boundary)
-        box.extend(p);
-    SegmentGrid grid(box, edge);
-    grid.addPolyline(boundary, true);
-    for (const InnerLine& line : lines)
-        grid.addPolyline(line.points, line.closed);
-    const double height = edge * std::sqrt(3.0) / 2;
-    // The rows are centred, so that a symmetric patch gets a symmetric mesh as far as rows can be.
-    const int rows = static_cast<int>(box.sizes().y() / height);
-    const double firstY = box.center().y() - 0.5 * rows * height;
-    std::vector<double> heights;
-    for (int row = 0; row <= rows; ++row)
-        heights.push_back(firstY + row * height);
-    const std::vector<std::vector<double>> crossed = crossings(boundary, heights);
-    std::vector<Vec2> points;
-    for (int row = 0; row <= rows; ++row) {
-        const double y = heights[row];
-        const double shift = box.center().x() + (row % 2 ? 0.5 * edge : 0);
-        const std::vector<double>& xs = crossed[row];
-        for (std::size_t k = 0; k + 1 < xs.size(); k += 2)
-            for (double i = std::ceil((xs[k] - shift) / edge); shift + i * edge < xs[k + 1]; ++i) {
-                const Vec2 p(shift + i * edge, y);
-                if (!grid.nearerThan(p, seedGap * edge))
-                    points.push_back(p);
-            }
-    }
-    return points;
-}
+constexpr int smoothingRounds = 3; // each reaches one ring farther inside
 
 /// Marks every face as inside or outside by walking from the infinite face across the outline.
 void markSides(Triangulation& triangulation, int boundaryCount)
@@ -125,58 +76,108 @@ Edges constraintsOf(const PatchMesh& mesh)
     return edges;
 }
 
-/// False when constraints cross or touch: CGAL makes vertices of its own then, or splits edges.
-bool triangulate(PatchMesh& mesh, const Edges& constraints)
+/// The order of triangles must not depend on how they were found.
+void sortTriangles(std::vector<std::array<int, 3>>& triangles)
 {
-    std::vector<std::pair<Kernel::Point_2, int>> points;
-    points.reserve(mesh.points.size());
-    for (int i = 0; i < std::ssize(mesh.points); ++i)
-        points.emplace_back(toCgal(mesh.points[i]), i);
-    Triangulation triangulation;
-    triangulation.insert(points.begin(), points.end());
-    std::vector<Triangulation::Vertex_handle> vertices(mesh.points.size());
-    if (triangulation.number_of_vertices() != mesh.points.size())
-        return false;
-    for (auto vertex : triangulation.finite_vertex_handles())
-        vertices[vertex->info()] = vertex;
-    for (const auto& [a, b] : constraints)
-        triangulation.insert_constraint(vertices[a], vertices[b]);
-    if (triangulation.number_of_vertices() != mesh.points.size())
-        return false;
-    for (const auto& [a, b] : constraints) // an edge through another vertex has been split there
-        if (!triangulation.is_edge(vertices[a], vertices[b]))
-            return false;
-    markSides(triangulation, mesh.boundaryCount);
-    mesh.triangles.clear();
-    for (auto face : triangulation.finite_face_handles())
-        if (face->side == 1)
-            mesh.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-    // The order of CGAL's faces depends on the history of insertion; ours must not.
-    for (auto& t : mesh.triangles)
+    for (auto& t : triangles)
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    std::sort(mesh.triangles.begin(), mesh.triangles.end());
-    return true;
+    std::sort(triangles.begin(), triangles.end());
 }
 
-/// Moves the vertices from `first` on.
-void smooth(PatchMesh& mesh, std::size_t first)
-{
-    std::vector<Vec2> sum(mesh.points.size(), Vec2::Zero());
-    std::vector<double> weight(mesh.points.size(), 0);
-    // Each vertex moves to the area-weighted centre of its triangles, which evens out sizes near the outline.
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const Vec2 u = mesh.points[b] - mesh.points[a], v = mesh.points[c] - mesh.points[a];
-        const double area = std::abs(u.x() * v.y() - u.y() * v.x());
-        const Vec2 centre = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3;
-        for (int i : {a, b, c}) {
-            sum[i] += area * centre;
-            weight[i] += area;
-        }
+/// What is far from the outline and the lines is the lattice as it is: only what lies around it is left to CGAL.
+class Filling {
+public:
+    /// Of a mesh that has its outline and its lines.
+    Filling(PatchMesh& mesh, const SeedLattice& lattice)
+        : m_mesh(mesh)
+        , m_lattice(lattice)
+        , m_constraints(constraintsOf(mesh))
+        , m_firstSeed(static_cast<int>(mesh.points.size()))
+    {
+        mesh.points.insert(mesh.points.end(), lattice.points().begin(), lattice.points().end());
     }
-    for (std::size_t i = first; i < mesh.points.size(); ++i)
-        if (weight[i] > 0)
-            mesh.points[i] = sum[i] / weight[i];
-}
+
+    /// False when constraints cross or touch.
+    bool fill()
+    {
+        if (!triangulateBorder())
+            return false;
+        for (int round = 0; round < smoothingRounds; ++round)
+            smooth();
+        triangulateBorder();
+        for (std::array<int, 3> triangle : m_lattice.insideTriangles()) {
+            for (int& corner : triangle)
+                corner += m_firstSeed;
+            m_mesh.triangles.push_back(triangle);
+        }
+        sortTriangles(m_mesh.triangles);
+        return true;
+    }
+
+private:
+    bool isSeed(int vertex) const { return vertex >= m_firstSeed; }
+    bool isInside(int vertex) const { return isSeed(vertex) && m_lattice.isInside(vertex - m_firstSeed); }
+    bool isWithin(int vertex) const { return isSeed(vertex) && m_lattice.isWithin(vertex - m_firstSeed); }
+
+    /// All triangles but those between seeds that are inside. False when constraints cross or touch: CGAL makes
+    /// vertices of its own then, or splits edges.
+    bool triangulateBorder()
+    {
+        std::vector<std::pair<Kernel::Point_2, int>> points;
+        for (int i = 0; i < std::ssize(m_mesh.points); ++i)
+            if (!isWithin(i))
+                points.emplace_back(toCgal(m_mesh.points[i]), i);
+        Triangulation triangulation;
+        triangulation.insert(points.begin(), points.end());
+        if (triangulation.number_of_vertices() != points.size())
+            return false;
+        std::vector<Triangulation::Vertex_handle> vertices(static_cast<std::size_t>(m_firstSeed));
+        for (auto vertex : triangulation.finite_vertex_handles())
+            if (!isSeed(vertex->info()))
+                vertices[vertex->info()] = vertex;
+        for (const auto& [a, b] : m_constraints)
+            triangulation.insert_constraint(vertices[a], vertices[b]);
+        if (triangulation.number_of_vertices() != points.size())
+            return false;
+        for (const auto& [a, b] : m_constraints) // an edge through another vertex has been split there
+            if (!triangulation.is_edge(vertices[a], vertices[b]))
+                return false;
+        markSides(triangulation, m_mesh.boundaryCount);
+        m_mesh.triangles.clear();
+        for (auto face : triangulation.finite_face_handles()) {
+            const std::array corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+            if (face->side == 1 && !std::ranges::all_of(corners, [&](int v) { return isInside(v); }))
+                m_mesh.triangles.push_back(corners);
+        }
+        sortTriangles(m_mesh.triangles);
+        return true;
+    }
+
+    /// Each seed moves to the area-weighted centre of its triangles, which evens out sizes near the outline; those
+    /// inside are in the centre of theirs.
+    void smooth()
+    {
+        std::vector<Vec2> sum(m_mesh.points.size(), Vec2::Zero());
+        std::vector<double> weight(m_mesh.points.size(), 0);
+        for (const auto& [a, b, c] : m_mesh.triangles) {
+            const Vec2 u = m_mesh.points[b] - m_mesh.points[a], v = m_mesh.points[c] - m_mesh.points[a];
+            const double area = std::abs(u.x() * v.y() - u.y() * v.x());
+            const Vec2 centre = (m_mesh.points[a] + m_mesh.points[b] + m_mesh.points[c]) / 3;
+            for (int i : {a, b, c}) {
+                sum[i] += area * centre;
+                weight[i] += area;
+            }
+        }
+        for (int i = m_firstSeed; i < std::ssize(m_mesh.points); ++i)
+            if (weight[i] > 0 && !isInside(i))
+                m_mesh.points[i] = sum[i] / weight[i];
+    }
+
+    PatchMesh& m_mesh;
+    const SeedLattice& m_lattice;
+    Edges m_constraints;
+    int m_firstSeed;
+};
 
 /// Appends a line's points that are not samples of the outline.
 void addLine(PatchMesh& mesh, const InnerLine& line)
@@ -203,19 +204,9 @@ PatchMesh triangulatePatch(const std::vector<Vec2>& boundary, double edgeLength,
     mesh.boundaryCount = static_cast<int>(boundary.size());
     for (const InnerLine& line : lines)
         addLine(mesh, line);
-    const std::size_t keptCount = mesh.points.size();
-    const Edges constraints = constraintsOf(mesh);
-    const std::vector<Vec2> inner = seeds(boundary, lines, edgeLength);
-    mesh.points.insert(mesh.points.end(), inner.begin(), inner.end());
-    if (!triangulate(mesh, constraints)) {
+    const SeedLattice lattice(boundary, lines, edgeLength);
+    if (!Filling(mesh, lattice).fill())
         mesh.triangles.clear();
-        return mesh;
-    }
-    for (int round = 0; round < smoothingRounds; ++round) {
-        smooth(mesh, keptCount);
-        if (round + 1 == smoothingRounds)
-            triangulate(mesh, constraints);
-    }
     return mesh;
 }
 

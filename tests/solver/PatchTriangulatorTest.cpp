@@ -83,6 +83,52 @@ TEST(PatchTriangulator, IsTheSameEveryTime)
     EXPECT_EQ(a.triangles, b.triangles);
 }
 
+/// The larger of the two angles' sums that lie opposite to an inner edge, over all of them: pi at most if no point
+/// lies in the circle round another triangle.
+double largestOppositeAngles(const PatchMesh& mesh)
+{
+    std::map<std::pair<int, int>, std::vector<double>> opposite;
+    for (const auto& t : mesh.triangles)
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 u = (mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]]).normalized();
+            const Vec2 v = (mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]]).normalized();
+            opposite[std::minmax(t[(k + 1) % 3], t[(k + 2) % 3])].push_back(std::acos(u.dot(v)));
+        }
+    for (const std::vector<int>& line : mesh.lines)
+        for (std::size_t k = 0; k + 1 < line.size(); ++k)
+            opposite.erase(std::minmax(line[k], line[k + 1]));
+    double largest = 0;
+    for (const auto& [edge, angles] : opposite)
+        if (angles.size() == 2)
+            largest = std::max(largest, angles[0] + angles[1]);
+    return largest;
+}
+
+/// Most of it is filled without a triangulation, but as one would.
+TEST(PatchTriangulator, FillsLargePatchesAsSmallOnes)
+{
+    const std::vector<Vec2> boundary = flower(900, 600, 0.25);
+    InnerLine across, button;
+    across.points = {boundary[0]};
+    for (int i = 1; i <= 40; ++i)
+        across.points.emplace_back(boundary[0] + Vec2(-10.0 * i, 3 * std::sin(0.3 * i)));
+    across.startSample = 0;
+    // So small that it lies between three seeds.
+    button.points = {{-310.1, 80}, {-309.8, 80.1}, {-310, 80.3}};
+    button.closed = true;
+    const PatchMesh mesh = triangulatePatch(boundary, 5, {across, button});
+    expectWholeAndOriented(mesh, boundary);
+    const auto inner = std::ssize(mesh.points) - mesh.boundaryCount;
+    EXPECT_GT(inner, 40'000);
+    EXPECT_EQ(std::ssize(mesh.triangles), mesh.boundaryCount + 2 * inner - 2) << "a disc";
+    EXPECT_LT(largestOppositeAngles(mesh), EIGEN_PI + 1e-9);
+    std::vector<char> used(mesh.points.size(), 0);
+    for (const auto& t : mesh.triangles)
+        for (int corner : t)
+            used[corner] = 1;
+    EXPECT_EQ(std::ranges::count(used, 0), 0);
+}
+
 TEST(PatchTriangulator, TakesPatchesSmallerThanAnEdge)
 {
     const std::vector<Vec2> boundary{{0, 0}, {3, 0}, {0, 2}};

@@ -7,6 +7,9 @@
 #include "Twins.h"
 #include "Units.h"
 
+#include <QLocale>
+
+#include <algorithm>
 #include <cmath>
 
 namespace bolster {
@@ -15,6 +18,25 @@ namespace {
 
 const NumberBox::Range directionRange{{}, 4, -1e7, 1e7, 0.1};
 
+/// Of the cover that an edge length makes, about: what time and memory depend on.
+double vertexCount(const Design& design)
+{
+    const double edge = design.settings().edgeLength;
+    double count = 0;
+    design.each<Patch>([&](ElementId, const Patch& patch) {
+        if (!patch.outline.empty())
+            count += std::abs(patch.outline.signedArea()) / (std::sqrt(0.75) * edge * edge);
+    });
+    return count;
+}
+
+/// Two digits: more would not be true.
+QString aboutText(double count)
+{
+    const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
+    return QLocale().toString(static_cast<qlonglong>(std::round(count / unit) * unit));
+}
+
 } // namespace
 
 void SettingsForm::add(PropertyForm& form, const Ids&) const
@@ -22,6 +44,11 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
     form.addHeading(kindWord(kindOf<Settings>()), icon(QStringLiteral("settings")));
     const InspectorSubject<Settings> settings(m_document, {settingsId}, form);
     settings.field(&Settings::edgeLength);
+    form.addInfo(tr("Vertices"),
+                 [this] { return tr("about %1").arg(aboutText(vertexCount(m_document.design()))); });
+    form.explain(
+        tr("As many as triangles of this edge length make of all patches: solving takes time and memory by "
+           "them."));
     addSymmetry(form, settings);
     form.addInfo(tr("Patches"), [this] {
         int count = 0;
