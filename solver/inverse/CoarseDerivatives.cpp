@@ -48,20 +48,35 @@ Derivatives CoarseDerivatives::of(const WarmCover& fine, const Design& at, std::
                                   const Measure& measure, const std::function<void(double)>& progress,
                                   const std::stop_token& stop)
 {
-    if (!m_team.moveHome(at, stop) || !m_team.first().follow(at, stop))
+    if (!m_team.moveHome(at, stop))
         return {};
-    const std::vector<PatternPlace> on = placesOn(*m_team.first().mesh().topology, *fine.mesh().topology);
-    const Derivatives few = differentiate(
+    m_few = differentiate(
         m_team, at, freedoms, [](const WarmCover& cover, const Design&) { return asColumn(cover); }, false,
         progress, stop);
-    Derivatives result{{}, few.known};
-    if (few.columns.size() == 0 || stop.stop_requested())
+    return carriedTo(fine, at, freedoms, measure, stop);
+}
+
+Derivatives CoarseDerivatives::again(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
+                                     const Measure& measure, const std::stop_token& stop)
+{
+    const bool theirs = m_few.columns.cols() == std::ssize(freedoms) && m_team.moveHome(at, stop) &&
+                        m_few.columns.rows() == perVertex * std::ssize(m_team.first().mesh().topology->unknown);
+    return theirs ? carriedTo(fine, at, freedoms, measure, stop) : Derivatives();
+}
+
+Derivatives CoarseDerivatives::carriedTo(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
+                                         const Measure& measure, const std::stop_token& stop)
+{
+    Derivatives result{{}, m_few.known};
+    // Where the few triangles lie in the pattern now.
+    if (m_few.columns.size() == 0 || !m_team.first().follow(at, stop))
         return result;
+    const std::vector<PatternPlace> on = placesOn(*m_team.first().mesh().topology, *fine.mesh().topology);
     const std::vector<Vec3> places = vertexPlaces(fine);
     const Eigen::VectorXd here = measure(*fine.mesh().topology, places, at);
     result.columns = Eigen::MatrixXd::Zero(here.size(), std::ssize(freedoms));
     m_team.forTasks(static_cast<int>(freedoms.size()), [&](WarmCover&, int task) {
-        if (!few.known[static_cast<std::size_t>(task)] || stop.stop_requested())
+        if (!m_few.known[static_cast<std::size_t>(task)] || stop.stop_requested())
             return;
         const std::span<const Freedom> one = freedoms.subspan(static_cast<std::size_t>(task), 1);
         const double step = usualStep(one.front());
@@ -71,8 +86,8 @@ Derivatives CoarseDerivatives::of(const WarmCover& fine, const Design& at, std::
             Eigen::Vector<double, perVertex> by = Eigen::Vector<double, perVertex>::Zero();
             for (std::size_t k = 0; k < 3; ++k)
                 by += on[v].weights[static_cast<Eigen::Index>(k)] *
-                      few.columns.col(task).segment<perVertex>(perVertex *
-                                                               static_cast<Eigen::Index>(on[v].corners[k]));
+                      m_few.columns.col(task).segment<perVertex>(perVertex *
+                                                                 static_cast<Eigen::Index>(on[v].corners[k]));
             moved[v] += step * by.head<3>();
             topology.pattern[v] += step * by.tail<2>();
         }

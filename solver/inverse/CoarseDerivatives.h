@@ -26,9 +26,17 @@ public:
     Derivatives of(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
                    const Measure& measure, const std::function<void(double)>& progress = {},
                    const std::stop_token& stop = {});
+    /// The same from the covers that were found the last time, of a design near by; empty when these have got other
+    /// triangles since.
+    Derivatives again(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
+                      const Measure& measure, const std::stop_token& stop = {});
 
 private:
+    Derivatives carriedTo(const WarmCover& fine, const Design& at, std::span<const Freedom> freedoms,
+                          const Measure& measure, const std::stop_token& stop);
+
     CoverTeam m_team;
+    Derivatives m_few; // on few triangles, of the places of their vertices
 };
 
 } // namespace bolster

@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace bolster {
 
@@ -20,19 +21,23 @@ namespace {
 constexpr double fewVertices = 3000;   // of the first triangles, about
 constexpr double manyVertices = 12000; // of the last ones
 constexpr double alike = 0.2;          // what few triangles have led to leaves so much of the cost on more of them
+constexpr double farFromFew = 4;       // times what few triangles have reached: they are not alike
 constexpr double restTolerance = 1e-5; // relative to D
 constexpr double worthIt = 1.7;        // times as many vertices as before
 constexpr double settled = 0.03;       // a round that makes less of the error than that is the last one
 constexpr double settledPlaces = 0.1;  // likewise where the cover lies
 constexpr double settledFew = 0.3;     // likewise, where more triangles follow
 constexpr double settledStep = 0.05;   // likewise of a step
+constexpr double leastPromise = 0.01;  // what a step must promise to be tried
 constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
 constexpr int iterationsBeside = 40;   // of covers that derivatives are taken from: they take some 15
 constexpr int mostStepsOfRound = 5;
+constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
-constexpr int mostVerifications = 3;
+constexpr int mostVerifications = 5;
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
+constexpr double nearly = 1.03;      // times the cost: as good
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
 constexpr double leastEffect = 1e-7;                            // of a freedom, against the strongest one
 
@@ -159,9 +164,10 @@ private:
     }
 
     /// The cover of a design as it comes to rest by itself; null when it has none.
-    std::unique_ptr<WarmCover> coverOf(const Design& design, double edge)
+    std::unique_ptr<WarmCover> coverOf(const Design& design, double edge, double tolerance = restTolerance)
     {
         WarmOrder order = orderFor(edge);
+        order.tolerance = tolerance;
         order.threads = m_order.threads;
         auto cover = std::make_unique<WarmCover>(SolveInput(design, m_input.files), order, m_stop);
         if (cover->problem().empty())
@@ -223,28 +229,40 @@ private:
             untouched = share == 0 ? least : untouched;
         }
         m_untouched = untouched;
-        m_fewAreLike = isAboutPlaces() && least < alike * untouched;
+        m_fewAreLike = isAboutPlaces() && least < alike * untouched && least < farFromFew * m_reached;
         return true;
     }
 
-    /// Rounds until they lead no farther.
+    /// With the derivatives of few triangles, and if these have been much nearer than they lead to here, with own
+    /// ones.
     bool improve(double edge)
+    {
+        const double onFew = m_reached;
+        if (!goRounds(edge) || !m_fewAreLike || m_reached < sprang * onFew)
+            return !m_stop.stop_requested() && m_result.reason.empty();
+        m_fewAreLike = false;
+        return goRounds(edge);
+    }
+
+    /// Rounds until they lead no farther.
+    bool goRounds(double edge)
     {
         const auto cover = coverOf(m_result.design, edge);
         if (!cover || m_stop.stop_requested())
             return false;
         WarmOrder beside = orderFor(m_fewAreLike ? m_fewEdge : edge);
         beside.iterationsBeside = iterationsBeside;
-        CoarseDerivatives derivatives({m_result.design, m_input.files}, beside, m_order.threads, m_stop);
-        if (!derivatives.problem().empty())
-            return fail(derivatives.problem());
+        const SolveInput here{m_result.design, m_input.files};
+        m_derivatives = std::make_unique<CoarseDerivatives>(here, beside, m_order.threads, m_stop);
+        if (!m_derivatives->problem().empty())
+            return fail(m_derivatives->problem());
         double damping = 1e-3;
         for (int round = 0; round < m_order.mostRounds; ++round) {
             // It may be where the last try has left it.
             if (m_stop.stop_requested() || !cover->follow(m_result.design, m_stop))
                 return false;
             report(*cover, edge, static_cast<double>(round) / m_order.mostRounds);
-            const Outcome outcome = step(*cover, derivatives, damping, round);
+            const Outcome outcome = step(*cover, damping, round);
             if (!m_result.reason.empty())
                 return false;
             if (outcome != Outcome::Better)
@@ -254,37 +272,62 @@ private:
     }
 
     /// What counts is the cover of the changed pattern as it comes to rest by itself: that it was found on the way
-    /// may have led to other folds. Then it goes on from there.
+    /// may have led to other folds. Then it goes on from there, or not as far.
     bool verify(double edge)
     {
         Eigen::VectorXd best = Eigen::VectorXd::Zero(m_result.values.size());
-        double least = std::numeric_limits<double>::infinity();
+        double least = std::numeric_limits<double>::infinity(), reached = m_reached;
+        bool improvedAgain = false;
         for (int round = 0; round < mostVerifications; ++round) {
-            const auto cover = coverOf(m_result.design, edge);
+            const auto cover = coverOf(m_result.design, edge, WarmOrder().tolerance);
             if (!cover || m_stop.stop_requested())
                 return false;
+            reached = std::min(reached, m_reached);
             const double cost = costOn(*cover, m_result.values, m_result.design);
-            const bool expected = cost < sprang * m_reached;
-            if (cost < least) {
-                least = cost;
-                best = m_result.values;
-                m_result.after = m_rows.figures(*cover, m_result.design);
+            if (!(cost < least)) {
+                take(0.5 * (best + m_result.values));
+                continue;
             }
-            if (round > 0)
-                m_result.jumped = m_result.jumped || !expected;
-            if (expected || round + 1 == mostVerifications)
+            least = cost;
+            best = m_result.values;
+            m_result.after = m_rows.figures(*cover, m_result.design);
+            if (cost < nearly * reached)
+                break;
+            if (goOnFrom(*cover, cost))
+                continue;
+            if (cost < sprang * reached || std::exchange(improvedAgain, true))
                 break;
             m_fewAreLike = false; // they have led elsewhere
             if (!improve(edge))
                 break;
         }
+        m_result.jumped = least >= sprang * reached;
         if (!(least < leastWorth * untouchedCost(edge))) { // it has led to other folds, or to nothing at all
             best.setZero();
             m_result.after = m_result.before;
         }
-        m_result.values = best;
-        m_result.design = designAt(best);
+        take(best);
         return !m_stop.stop_requested();
+    }
+
+    void take(const Eigen::VectorXd& values)
+    {
+        m_result.values = values;
+        m_result.design = designAt(values);
+    }
+
+    /// The derivatives that are known do for covers that lie near: steps with them from where a cover has come to
+    /// rest by itself. False when they lead nowhere.
+    bool goOnFrom(WarmCover& cover, double cost)
+    {
+        const Derivatives derivatives =
+            m_derivatives->again(cover, m_result.design, m_order.freedoms, measure(), m_stop);
+        if (derivatives.columns.size() == 0 || m_stop.stop_requested())
+            return false;
+        Eigen::MatrixXd jacobian = derivatives.columns * m_scale.asDiagonal();
+        Eigen::VectorXd now = m_rows.rows(cover, m_result.design);
+        double damping = 1e-3;
+        return nearly * takeSteps(cover, jacobian, now, cost, damping) < cost;
     }
 
     /// Of the pattern as it was, on the last triangles; infinite when it has no cover there.
@@ -317,15 +360,12 @@ private:
     enum class Outcome { Better, Settled };
 
     /// Derivatives once, and several steps with them: they change little, and cost most of the time.
-    Outcome step(WarmCover& cover, CoarseDerivatives& few, double& damping, int round)
+    Outcome step(WarmCover& cover, double& damping, int round)
     {
         m_rows.aim(cover);
         Eigen::VectorXd now = m_rows.rows(cover, m_result.design);
-        const Derivatives derivatives = few.of(
-            cover, m_result.design, m_order.freedoms,
-            [this](const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design) {
-                return m_rows.rows(topology, places, design);
-            },
+        const Derivatives derivatives = m_derivatives->of(
+            cover, m_result.design, m_order.freedoms, measure(),
             [&](double share) { tell((round + share) / m_order.mostRounds); }, m_stop);
         if (m_stop.stop_requested())
             return Outcome::Settled;
@@ -336,14 +376,46 @@ private:
         Eigen::MatrixXd jacobian = derivatives.columns * m_scale.asDiagonal(); // by steps
         noteIdle(jacobian, derivatives.known);
         const double first = costOf(now, m_result.values);
-        double cost = first;
+        double cost = takeSteps(cover, jacobian, now, first, damping);
+        if (!m_order.goals.target.empty() && isAboutPlaces())
+            cost = aimAgain(cover, cost);
+        const bool promising = !isAboutPlaces() || m_promised > settledPlaces * cost;
+        return promising && first - cost > leastGain() * first ? Outcome::Better : Outcome::Settled;
+    }
+
+    /// What a place of the cover is nearest to on the form has changed with it; what the freedoms do to it hardly
+    /// has.
+    double aimAgain(WarmCover& cover, double cost)
+    {
+        for (int k = 0; k < mostAims && !m_stop.stop_requested() && cover.follow(m_result.design, m_stop); ++k) {
+            m_rows.aim(cover);
+            const double before = costOf(m_rows.rows(cover, m_result.design), m_result.values);
+            const bool better = goOnFrom(cover, before);
+            cost = m_reached;
+            if (!better)
+                break;
+        }
+        return cost;
+    }
+
+    CoarseDerivatives::Measure measure()
+    {
+        return [this](const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design) {
+            return m_rows.rows(topology, places, design);
+        };
+    }
+
+    /// Until they lead no farther. Returns the cost then.
+    double takeSteps(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double cost,
+                     double& damping)
+    {
         for (int k = 0; k < mostStepsOfRound && !m_stop.stop_requested(); ++k) {
             const double before = cost;
-            if (!takeStep(cover, few, jacobian, now, cost, damping) || before - cost < settledStep * before)
+            if (!takeStep(cover, jacobian, now, cost, damping) || before - cost < settledStep * before)
                 break;
         }
         m_reached = cost;
-        return first - cost > leastGain() * first ? Outcome::Better : Outcome::Settled;
+        return cost;
     }
 
     /// Strains and folds are of single triangles: what these do, no others tell.
@@ -357,14 +429,19 @@ private:
     }
 
     /// False when no step makes it better. Derivatives learn from every step that is tried (Broyden).
-    bool takeStep(WarmCover& cover, CoarseDerivatives& few, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now,
-                  double& cost, double& damping)
+    bool takeStep(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost, double& damping)
     {
         const Eigen::MatrixXd squares = jacobian.transpose() * jacobian + m_change;
         const Eigen::VectorXd slope =
             jacobian.transpose() * now + m_change * m_result.values.cwiseQuotient(m_scale);
         for (int attempt = 0; attempt < mostAttempts && !m_stop.stop_requested(); ++attempt, damping *= 8) {
             const Eigen::VectorXd values = bounded(squares, slope, damping);
+            const Eigen::VectorXd moved = (values - m_result.values).cwiseQuotient(m_scale);
+            if (attempt == 0) {
+                m_promised = cost - costOf(now + jacobian * moved, values);
+                if (m_promised < leastPromise * cost)
+                    return false;
+            }
             const Design design = designAt(values);
             if (!isWhole(design) || !cover.follow(design, m_stop))
                 continue;
@@ -372,10 +449,9 @@ private:
             const double reached = costOf(rows, values);
             if (!(reached < cost))
                 continue;
-            const Eigen::VectorXd moved = (values - m_result.values).cwiseQuotient(m_scale);
             const Eigen::VectorXd expected = now + jacobian * moved;
             jacobian += (rows - expected) * moved.transpose() / moved.squaredNorm();
-            if (!cover.moveHome(design, m_stop) || (!m_fewAreLike && !few.moveHome(design, m_stop)))
+            if (!cover.moveHome(design, m_stop) || (!m_fewAreLike && !m_derivatives->moveHome(design, m_stop)))
                 return false;
             m_result.values = values;
             m_result.design = design;
@@ -468,10 +544,12 @@ private:
     const std::function<void(double, const FitRound&)>& m_progress;
     const std::stop_token& m_stop;
     FitRows m_rows;
+    std::unique_ptr<CoarseDerivatives> m_derivatives;
     Eigen::VectorXd m_scale;  // steps of the freedoms
     Eigen::MatrixXd m_change; // the cost of a change is a form of squares of its steps
     FitResult m_result;
     double m_reached = 0;              // cost of the last round
+    double m_promised = 0;             // by which derivatives would make it less in one step
     std::optional<double> m_untouched; // cost of the pattern as it was, on the last triangles
     int m_stage = 0, m_stages = 1;
     double m_fewEdge = 0;      // mm, of the first triangles
