@@ -7129,6 +7129,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>Zwillinge sind Spiegelbilder voneinander. Mit diesem Häkchen bestimmen Sie, wo der Spiegel steht; ohne es steht er in der Mitte zwischen links und rechts.</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Netzpunkte</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>So viele Punkte hat der Bezug bei dieser Kantenlänge: Jeder kostet beim Lösen Zeit und Speicher.</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

@@ -7129,6 +7129,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>Los gemelos son imágenes reflejadas uno del otro. Con esta marca usted dice dónde está el espejo; sin ella está en el medio, entre izquierda y derecha.</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>unos %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>Cuántos puntos tiene la funda con esta longitud de arista: cada uno cuesta tiempo y memoria al resolver.</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

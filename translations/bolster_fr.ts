@@ -7129,6 +7129,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>Les jumeaux sont l’image l’un de l’autre dans un miroir. Avec cette coche, vous dites où se trouve le miroir&#x202f;; sans elle, il est au milieu, entre gauche et droite.</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>Nombre de points de la housse avec cette longueur d’arête&#x202f;: chacun coûte du temps et de la mémoire au calcul.</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

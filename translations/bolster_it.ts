@@ -7129,6 +7129,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>I gemelli sono immagini speculari l’uno dell’altro. Con questo segno si stabilisce dove sta lo specchio; senza, sta nel mezzo, tra sinistra e destra.</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vertici</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>circa %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>Quanti punti ha il rivestimento con questa lunghezza dello spigolo: ognuno costa tempo e memoria nel calcolo.</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

@@ -7125,6 +7125,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>対称ペアは互いの鏡像です。チェックを入れると鏡の位置を決められ、外すと左右の中央になります。</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>頂点</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>約 %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>この辺の長さでカバーがもつ点の数です。点が多いほど、計算に時間とメモリがかかります。</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

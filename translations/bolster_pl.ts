@@ -7133,6 +7133,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>Bliźniaki są swoimi lustrzanymi odbiciami. Z tym zaznaczeniem określa się, gdzie stoi lustro; bez niego stoi pośrodku, między lewą a prawą stroną.</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Wierzchołki</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>około %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>Tyle punktów ma pokrowiec przy tej długości krawędzi: każdy kosztuje czas i pamięć podczas obliczeń.</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

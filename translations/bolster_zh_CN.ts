@@ -7125,6 +7125,18 @@
         <source>Twins are mirror images of each other. With this mark you say where the mirror stands; without it, it stands in the middle, between left and right.</source>
         <translation>镜像件互为镜像。勾选后由您指定镜面的位置；不勾选则位于左右正中。</translation>
     </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>约 %1</translation>
+    </message>
+    <message>
+        <source>How many points the cover has at this edge length: solving takes time and memory for each.</source>
+        <translation>在此边长下面套所含的点数：每个点都会占用求解的时间和内存。</translation>
+    </message>
 </context>
 <context>
     <name>SewPicture</name>

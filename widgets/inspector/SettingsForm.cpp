@@ -46,9 +46,7 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
     settings.field(&Settings::edgeLength);
     form.addInfo(tr("Vertices"),
                  [this] { return tr("about %1").arg(aboutText(vertexCount(m_document.design()))); });
-    form.explain(
-        tr("As many as triangles of this edge length make of all patches: solving takes time and memory by "
-           "them."));
+    form.explain(tr("How many points the cover has at this edge length: solving takes time and memory for each."));
     addSymmetry(form, settings);
     form.addInfo(tr("Patches"), [this] {
         int count = 0;
