@@ -12,7 +12,6 @@
 #include <map>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 namespace bolster {
 
@@ -35,6 +34,7 @@ constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 5;
+constexpr int mostImprovements = 2;  // of them
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
 constexpr double nearly = 1.03;      // times the cost: as good
@@ -277,7 +277,7 @@ private:
     {
         Eigen::VectorXd best = Eigen::VectorXd::Zero(m_result.values.size());
         double least = std::numeric_limits<double>::infinity(), reached = m_reached;
-        bool improvedAgain = false;
+        int improvements = 0;
         for (int round = 0; round < mostVerifications; ++round) {
             const auto cover = coverOf(m_result.design, edge, WarmOrder().tolerance);
             if (!cover || m_stop.stop_requested())
@@ -293,9 +293,9 @@ private:
             m_result.after = m_rows.figures(*cover, m_result.design);
             if (cost < nearly * reached)
                 break;
-            if (goOnFrom(*cover, cost))
+            if (isAboutPlaces() && goOnFrom(*cover, cost))
                 continue;
-            if (cost < sprang * reached || std::exchange(improvedAgain, true))
+            if (cost < sprang * reached || ++improvements > mostImprovements)
                 break;
             m_fewAreLike = false; // they have led elsewhere
             if (!improve(edge))

@@ -28,10 +28,13 @@ double PatternDrag::move()
 
 double PatternDrag::release(Until until)
 {
-    const std::uint64_t dragged = m_topology;
     // Never where it was released before: of that the surface is kept.
     const double golden = std::numbers::phi * ++m_releases;
     const double share = farthest * (0.3 + 0.5 * (golden - std::floor(golden)));
+    constexpr double last = 0.002; // of the way: the pointer goes on a little while a step is made
+    request(withLongerInsert(m_seat, share - last), true,
+            [](const SolverOutput& output) { return output.surface != nullptr; });
+    const std::uint64_t dragged = m_topology;
     return request(withLongerInsert(m_seat, share), false, [dragged, until](const SolverOutput& output) {
         return output.surface && output.surface->topology->serial != dragged &&
                (until == Until::NewTriangles || output.status.resting);
