@@ -268,6 +268,8 @@ private:
             if (outcome != Outcome::Better)
                 break;
         }
+        if (!m_stop.stop_requested() && cover->follow(m_result.design, m_stop))
+            report(*cover, edge, 1);
         return !m_stop.stop_requested();
     }
 
@@ -293,7 +295,7 @@ private:
             m_result.after = m_rows.figures(*cover, m_result.design);
             if (cost < nearly * reached)
                 break;
-            if (isAboutPlaces() && goOnFrom(*cover, cost))
+            if (followsForm() && goOnFrom(*cover, cost))
                 continue;
             if (cost < sprang * reached || ++improvements > mostImprovements)
                 break;
@@ -377,9 +379,9 @@ private:
         noteIdle(jacobian, derivatives.known);
         const double first = costOf(now, m_result.values);
         double cost = takeSteps(cover, jacobian, now, first, damping);
-        if (!m_order.goals.target.empty() && isAboutPlaces())
+        if (followsForm())
             cost = aimAgain(cover, cost);
-        const bool promising = !isAboutPlaces() || m_promised > settledPlaces * cost;
+        const bool promising = !followsForm() || m_promised > settledPlaces * cost;
         return promising && first - cost > leastGain() * first ? Outcome::Better : Outcome::Settled;
     }
 
@@ -420,6 +422,8 @@ private:
 
     /// Strains and folds are of single triangles: what these do, no others tell.
     bool isAboutPlaces() const { return !m_order.goals.strain && m_order.goals.smooth.empty(); }
+    /// What the derivatives of such covers say holds beyond a step.
+    bool followsForm() const { return isAboutPlaces() && !m_order.goals.target.empty(); }
     /// Of the error: what a round must take away for another one to follow.
     double leastGain() const
     {
@@ -439,7 +443,7 @@ private:
             const Eigen::VectorXd moved = (values - m_result.values).cwiseQuotient(m_scale);
             if (attempt == 0) {
                 m_promised = cost - costOf(now + jacobian * moved, values);
-                if (m_promised < leastPromise * cost)
+                if (followsForm() && m_promised < leastPromise * cost)
                     return false;
             }
             const Design design = designAt(values);
