@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace bolster {
 
@@ -27,6 +28,7 @@ constexpr double settled = 0.03;       // a round that makes less of the error t
 constexpr double settledPlaces = 0.1;  // likewise where the cover lies
 constexpr double settledFew = 0.3;     // likewise, where more triangles follow
 constexpr double settledStep = 0.05;   // likewise of a step
+constexpr double stuckPromise = 0.5;   // of the cost: what no step kept of it is worth shorter ones
 constexpr double leastPromise = 0.01;  // what a step must promise to be tried
 constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
 constexpr int iterationsBeside = 40;   // of covers that derivatives are taken from: they take some 15
@@ -257,6 +259,7 @@ private:
         if (!m_derivatives->problem().empty())
             return fail(m_derivatives->problem());
         double damping = 1e-3;
+        bool shorter = false;
         for (int round = 0; round < m_order.mostRounds; ++round) {
             // It may be where the last try has left it.
             if (m_stop.stop_requested() || !cover->follow(m_result.design, m_stop))
@@ -265,8 +268,9 @@ private:
             const Outcome outcome = step(*cover, damping, round);
             if (!m_result.reason.empty())
                 return false;
-            if (outcome != Outcome::Better)
-                break;
+            const bool stuck = followsForm() && m_promised > stuckPromise * m_reached;
+            if (outcome != Outcome::Better && !(stuck && !std::exchange(shorter, true)))
+                break; // else once more, with the shorter steps that damping has come to
         }
         if (!m_stop.stop_requested() && cover->follow(m_result.design, m_stop))
             report(*cover, edge, 1);
