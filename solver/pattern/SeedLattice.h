@@ -34,7 +34,7 @@ private:
     void countRings();
 
     struct Row {
-        int firstColumn = 0, firstSeed = 0;
+        int firstColumn = 0;
         std::vector<int> seeds; // by column, from the first one on; none: -1
         bool shifted = false;   // by half an edge to the right
         int at(int column) const;

@@ -18,16 +18,21 @@ namespace {
 
 const NumberBox::Range directionRange{{}, 4, -1e7, 1e7, 0.1};
 
+/// Of all patches, mm^2.
+double patternArea(const Design& design)
+{
+    double area = 0;
+    design.each<Patch>([&](ElementId, const Patch& patch) {
+        area += patch.outline.empty() ? 0 : std::abs(patch.outline.signedArea());
+    });
+    return area;
+}
+
 /// Of the cover that an edge length makes, about: what time and memory depend on.
 double vertexCount(const Design& design)
 {
     const double edge = design.settings().edgeLength;
-    double count = 0;
-    design.each<Patch>([&](ElementId, const Patch& patch) {
-        if (!patch.outline.empty())
-            count += std::abs(patch.outline.signedArea()) / (std::sqrt(0.75) * edge * edge);
-    });
-    return count;
+    return patternArea(design) / (std::sqrt(0.75) * edge * edge);
 }
 
 /// Two digits: more would not be true.
@@ -50,12 +55,8 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
     addSymmetry(form, settings);
     form.addInfo(tr("Patches"), [this] {
         int count = 0;
-        double area = 0; // mm^2
-        m_document.design().each<Patch>([&](ElementId, const Patch& patch) {
-            ++count;
-            area += patch.outline.empty() ? 0 : std::abs(patch.outline.signedArea());
-        });
-        return tr("%1, %2 in all").arg(count).arg(areaText(area));
+        m_document.design().each<Patch>([&](ElementId, const Patch&) { ++count; });
+        return tr("%1, %2 in all").arg(count).arg(areaText(patternArea(m_document.design())));
     });
     form.addInfo(tr("Seams"), [this] {
         int count = 0;
