@@ -299,7 +299,7 @@ private:
             m_result.after = m_rows.figures(*cover, m_result.design);
             if (cost < nearly * reached)
                 break;
-            if (followsForm() && goOnFrom(*cover, cost))
+            if (followsForm() && goOnFrom(*cover))
                 continue;
             if (cost < sprang * reached || ++improvements > mostImprovements)
                 break;
@@ -324,7 +324,7 @@ private:
 
     /// The derivatives that are known do for covers that lie near: steps with them from where a cover has come to
     /// rest by itself. False when they lead nowhere.
-    bool goOnFrom(WarmCover& cover, double cost)
+    bool goOnFrom(WarmCover& cover)
     {
         const Derivatives derivatives =
             m_derivatives->again(cover, m_result.design, m_order.freedoms, measure(), m_stop);
@@ -332,6 +332,7 @@ private:
             return false;
         Eigen::MatrixXd jacobian = derivatives.columns * m_scale.asDiagonal();
         Eigen::VectorXd now = m_rows.rows(cover, m_result.design);
+        const double cost = costOf(now, m_result.values);
         double damping = 1e-3;
         return nearly * takeSteps(cover, jacobian, now, cost, damping) < cost;
     }
@@ -382,26 +383,22 @@ private:
         Eigen::MatrixXd jacobian = derivatives.columns * m_scale.asDiagonal(); // by steps
         noteIdle(jacobian, derivatives.known);
         const double first = costOf(now, m_result.values);
-        double cost = takeSteps(cover, jacobian, now, first, damping);
+        takeSteps(cover, jacobian, now, first, damping);
         if (followsForm())
-            cost = aimAgain(cover, cost);
-        const bool promising = !followsForm() || m_promised > settledPlaces * cost;
-        return promising && first - cost > leastGain() * first ? Outcome::Better : Outcome::Settled;
+            aimAgain(cover);
+        const bool promising = !followsForm() || m_promised > settledPlaces * m_reached;
+        return promising && first - m_reached > leastGain() * first ? Outcome::Better : Outcome::Settled;
     }
 
     /// What a place of the cover is nearest to on the form has changed with it; what the freedoms do to it hardly
     /// has.
-    double aimAgain(WarmCover& cover, double cost)
+    void aimAgain(WarmCover& cover)
     {
         for (int k = 0; k < mostAims && !m_stop.stop_requested() && cover.follow(m_result.design, m_stop); ++k) {
             m_rows.aim(cover);
-            const double before = costOf(m_rows.rows(cover, m_result.design), m_result.values);
-            const bool better = goOnFrom(cover, before);
-            cost = m_reached;
-            if (!better)
+            if (!goOnFrom(cover))
                 break;
         }
-        return cost;
     }
 
     CoarseDerivatives::Measure measure()
