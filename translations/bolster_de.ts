@@ -5977,6 +5977,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 wird um %2 % gedehnt, wenn es auf der Form liegt, mehr als jeder Stoff verträgt. Teilen Sie es, oder schneiden Sie es ein, wo es sich am stärksten wölbt</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>Keinen Scan am Bezug ziehen lassen</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9521,6 +9525,13 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Jede Fläche so, wie das CAD-Programm sie hat, auch wo zwei glatt ineinander übergehen</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>und %n weiteres wird ebenfalls weggelassen</numerusform>
+            <numerusform>und %n weitere werden ebenfalls weggelassen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10701,6 +10712,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>Alle Elemente sind brauchbar.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>Der Bezug in der 3D-Ansicht wird zu einem Scan gezogen; hier zählt er so, wie ihn der Schnitt allein macht.</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>Ohne diesen Zug zeigen</translation>
     </message>
 </context>
 <context>

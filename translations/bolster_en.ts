@@ -152,6 +152,13 @@
             <numerusform>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>and %n more is left out, too</numerusform>
+            <numerusform>and %n more are left out, too</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ImportPatternDialog</name>

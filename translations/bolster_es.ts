@@ -5977,6 +5977,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 se deforma un %2 % sobre la forma, más de lo que soporta cualquier tela. Divídala, o haga un corte donde más se abomba</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>No dejar que ningún escaneo tire de la funda</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9521,6 +9525,13 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Cada cara como la tiene el programa de CAD, también donde dos continúan suavemente una en otra</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>y también se omite %n más</numerusform>
+            <numerusform>y también se omiten %n más</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10701,6 +10712,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>Todos los elementos se pueden usar.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>La funda de la vista 3D es atraída hacia un escaneo; aquí cuenta tal como la hace el patrón por sí solo.</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>Mostrarla sin esa atracción</translation>
     </message>
 </context>
 <context>

@@ -5977,6 +5977,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 est déformée de %2&#x202f;% lorsqu’elle est sur la forme, plus qu’aucun tissu ne supporte. Divisez-la, ou entaillez-la là où elle est le plus bombée</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>Ne laisser aucun scan tirer la housse</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9521,6 +9525,13 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Chaque face telle que le programme de CAO la connaît, même là où deux se prolongent sans pli</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>et %n de plus est omise</numerusform>
+            <numerusform>et %n de plus sont omises</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10701,6 +10712,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>Tous les éléments sont utilisables.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>La housse de la vue 3D est tirée vers un scan&#x202f;; ici elle compte telle que le patron seul la fait.</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>La montrer sans cette traction</translation>
     </message>
 </context>
 <context>

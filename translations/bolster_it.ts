@@ -5977,6 +5977,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 si deforma del %2 % quando sta sulla forma, più di quanto regga qualsiasi tessuto. La divida, o la incida dove è più bombata</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>Nessuna scansione tira il rivestimento</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9521,6 +9525,13 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Ogni faccia come la conosce il programma CAD, anche dove due proseguono dolcemente l&apos;una nell&apos;altra</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>e anche %n altro è escluso</numerusform>
+            <numerusform>e anche %n altri sono esclusi</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10701,6 +10712,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>Tutti gli elementi sono utilizzabili.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>Il rivestimento nella vista 3D è tirato verso una scansione; qui conta così come lo fa il cartamodello da solo.</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>Mostrarlo senza questa trazione</translation>
     </message>
 </context>
 <context>

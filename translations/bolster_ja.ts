@@ -5973,6 +5973,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 は形状の上で %2 % ひずみ、どの布地の限度も超えます。分割するか、最もふくらむ所に切り込みを入れてください</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>スキャンがカバーを引かないようにする</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9504,6 +9508,12 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>CAD プログラムにあるとおりの面ごとに。滑らかにつながる面どうしも分けます</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>ほかに %n 個も除外されます</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10673,6 +10683,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>すべての要素を使えます。</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>3D ビューのカバーはスキャンに引き寄せられています。ここでは型紙だけで生じるカバーとして扱われます。</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>引き寄せずに表示</translation>
     </message>
 </context>
 <context>

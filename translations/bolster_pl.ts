@@ -5981,6 +5981,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 odkształca się na bryle o %2 %, więcej, niż zniesie jakakolwiek tkanina. Proszę je podzielić albo naciąć tam, gdzie najbardziej się wybrzusza</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>Niech żaden skan nie przyciąga pokrowca</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9538,6 +9542,14 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Każda ściana tak, jak zna ją program CAD, także tam, gdzie dwie gładko przechodzą w siebie</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>i pominięto jeszcze %n</numerusform>
+            <numerusform>i pominięto jeszcze %n</numerusform>
+            <numerusform>i pominięto jeszcze %n</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10729,6 +10741,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>Wszystkie elementy nadają się do użycia.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>Pokrowiec w widoku 3D jest przyciągany do skanu; tutaj liczy się taki, jaki daje sam wykrój.</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>Pokaż go bez przyciągania</translation>
     </message>
 </context>
 <context>

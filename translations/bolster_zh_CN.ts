@@ -5973,6 +5973,10 @@
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 贴在形体上时应变达 %2 %，超过任何面料所能承受。请将其分开，或在最鼓处开剪口</translation>
     </message>
+    <message>
+        <source>Let no scan pull at the cover</source>
+        <translation>不让任何扫描拉动面套</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9504,6 +9508,12 @@
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>按 CAD 程序中的每个面切开，平滑相接的面也分开</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>另有 %n 个也被略去</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10673,6 +10683,17 @@
     <message>
         <source>All elements can be used.</source>
         <translation>所有元素都可以使用。</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PullNote</name>
+    <message>
+        <source>The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.</source>
+        <translation>3D 视图中的面套正被拉向扫描；这里按纸样自身形成的面套计算。</translation>
+    </message>
+    <message>
+        <source>Show it without the pull</source>
+        <translation>不拉动地显示</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "ElementText.h"
 #include "FormChoice.h"
 #include "HeadedList.h"
+#include "PullNote.h"
 #include "RunRow.h"
 #include "SolveFailure.h"
 #include "Translated.h"
@@ -116,6 +117,7 @@ void CauseWindow::build()
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(form);
+    layout->addWidget(new PullNote(m_document, this));
     layout->addWidget(m_run);
     layout->addWidget(m_said);
     layout->addWidget(m_list, 1);

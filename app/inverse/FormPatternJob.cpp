@@ -145,7 +145,7 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         order.poisson = wanted.order.fabric.poisson;
         made.flat = flatten(made.form, order, stop);
         if (!stop.stop_requested())
-            made.pattern = formPattern(made.form, made.flat, wanted.order);
+            made.pattern = formPattern(made.form, made.flat, wanted.order, stop);
     } catch (const std::exception& error) {
         made.problem = failureMessage(error);
     }

@@ -39,6 +39,7 @@ namespace {
 
 constexpr double besidePattern = 100; // mm
 constexpr int mostLinesSaid = 6;      // that are seen at once
+constexpr std::size_t mostNotes = 5;  // of pieces that are left out
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -492,9 +493,14 @@ void FormPatternWindow::say()
         lines.back() += ", " + tr("%n seams, whose sides differ by %1 at most", nullptr,
                                   static_cast<int>(m_made->pattern.seams.size()))
                                    .arg(lengthText(widest, 2));
-    for (const std::vector<Message>* said : {&m_made->pattern.notes, &m_made->pattern.advice})
-        for (const Message& note : *said)
-            lines << translated(note);
+    const std::vector<Message>& notes = m_made->pattern.notes; // a line for each piece that is left out
+    const std::size_t told = notes.size() > mostNotes ? mostNotes - 1 : notes.size();
+    for (std::size_t k = 0; k < told; ++k)
+        lines << translated(notes[k]);
+    if (told < notes.size())
+        lines << tr("and %n more are left out, too", nullptr, static_cast<int>(notes.size() - told));
+    for (const Message& note : m_made->pattern.advice)
+        lines << translated(note);
     if (!where.empty())
         lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
     if (over > 0)

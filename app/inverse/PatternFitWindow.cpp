@@ -6,6 +6,7 @@
 #include "HeadedList.h"
 #include "NumberBox.h"
 #include "PatternView.h"
+#include "PullNote.h"
 #include "RunRow.h"
 #include "Translated.h"
 #include "Units.h"
@@ -103,6 +104,7 @@ void PatternFitWindow::build()
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_order);
+    layout->addWidget(new PullNote(m_document, this));
     layout->addWidget(m_run);
     layout->addWidget(m_said);
     layout->addWidget(buildOutcome(), 1);

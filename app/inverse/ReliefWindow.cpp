@@ -5,6 +5,7 @@
 #include "DesignSession.h"
 #include "FabricFields.h"
 #include "NumberBox.h"
+#include "PullNote.h"
 #include "RunRow.h"
 #include "Translated.h"
 #include "Units.h"
@@ -89,6 +90,7 @@ void ReliefWindow::build()
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(buildOrder());
+    layout->addWidget(new PullNote(m_document, this));
     layout->addWidget(m_run);
     layout->addWidget(m_said);
     layout->addWidget(scroll, 1);

@@ -5,6 +5,7 @@
 #include "HeadedList.h"
 #include "MapLink.h"
 #include "NumberBox.h"
+#include "PullNote.h"
 #include "RunRow.h"
 #include "Translated.h"
 #include "Units.h"
@@ -149,6 +150,7 @@ void SweepWindow::build()
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(buildTolerances());
     layout->addWidget(buildPieces());
+    layout->addWidget(new PullNote(m_document, this));
     layout->addWidget(m_run);
     layout->addWidget(m_said);
     layout->addWidget(m_shown);

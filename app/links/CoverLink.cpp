@@ -30,12 +30,12 @@ public:
     Made operator()(const Wanted& wanted, const std::stop_token& stop)
     {
         try {
-            Made made;
+            Made made{wanted.surface, nullptr, nullptr};
             const SurfaceTopology& topology = *wanted.surface->topology;
             // Trims lie on a refined cover.
             const int levels = std::max(wanted.levels, SeamTrims::any(wanted.design) ? 1 : 0);
             if (levels == 0 || topology.vertexCount() == 0) // of which OpenSubdiv would complain on the terminal
-                return {};
+                return made;
             if (m_last.cover && m_last.cover->surface == wanted.surface && m_last.cover->topology->levels == levels)
                 made.cover = m_last.cover;
             else
@@ -47,7 +47,7 @@ public:
             return made;
         } catch (const std::exception& problem) {
             qWarning("The cover is shown as it is solved: %s", problem.what());
-            return {};
+            return {wanted.surface, nullptr, nullptr};
         }
     }
 
@@ -82,8 +82,10 @@ CoverLink::CoverLink(QObject* parent)
     , m_job([maker = std::make_shared<Maker>()](const Wanted& wanted,
                                                 const std::stop_token& stop) { return (*maker)(wanted, stop); },
             [this](const Made& made) {
+                m_made = made.of;
                 if (made.cover)
                     emit refined(made.cover, made.trims);
+                emit trimmed();
             })
 {
     m_rest.setSingleShot(true);
@@ -93,14 +95,21 @@ CoverLink::CoverLink(QObject* parent)
 
 CoverLink::~CoverLink() = default;
 
+bool CoverLink::isTrimmed() const
+{
+    return !SeamTrims::any(m_design) || m_made == m_surface;
+}
+
 void CoverLink::setSurface(const SurfaceMeshPtr& surface)
 {
     m_surface = surface;
     m_job.cancel();
-    if (surface)
+    if (surface) {
         m_rest.start();
-    else
+    } else {
         m_rest.stop();
+        m_made.reset();
+    }
 }
 
 void CoverLink::setDesign(const Design& design)

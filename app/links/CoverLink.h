@@ -19,6 +19,9 @@ public:
     explicit CoverLink(QObject* parent = nullptr);
     ~CoverLink() override;
 
+    /// No seam of the present surface waits for its stitches and its piping.
+    bool isTrimmed() const;
+
 public slots:
     void setSurface(const bolster::SurfaceMeshPtr& surface);
     /// mm that a pixel of the picture shows: triangles that are small enough on the screen are not divided.
@@ -31,6 +34,8 @@ public slots:
 signals:
     /// `trims` is null when there are none.
     void refined(const bolster::CoverMeshPtr& cover, const bolster::TrimMeshPtr& trims);
+    /// What isTrimmed says may be another answer now.
+    void trimmed();
 
 private:
     struct Wanted {
@@ -39,7 +44,8 @@ private:
         int levels = 0;
     };
     struct Made {
-        CoverMeshPtr cover;
+        SurfaceMeshPtr of;
+        CoverMeshPtr cover; ///< null where the surface is drawn as it is
         TrimMeshPtr trims;
     };
     class Maker;
@@ -48,6 +54,7 @@ private:
     void ask();
 
     SurfaceMeshPtr m_surface;
+    SurfaceMeshPtr m_made; ///< what was made last is of this one
     Design m_design;
     double m_pixelSize = 0; ///< 0: not known
     int m_asked = 0;        ///< levels

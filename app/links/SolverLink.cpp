@@ -55,6 +55,12 @@ void SolverLink::send()
         return;
     m_sentInGesture = m_document.gestureRunning();
     m_thread->request({m_document.design(), m_files}, m_document.revision(), m_document.dragging());
+    if (!m_sentInGesture && m_status.state == SolverStatus::State::Settled && !m_status.resting) {
+        // The solver may be at this very design already, and says nothing until its triangles are there.
+        m_status.state = SolverStatus::State::Preparing;
+        m_status.stage = SolverStatus::Stage::Triangles;
+        emit statusChanged(m_status);
+    }
 }
 
 /// The end of a gesture changes nothing when the design is what the last preview was, and so says nothing; but now
@@ -91,6 +97,8 @@ void SolverLink::forget(DesignFiles files)
     m_files = std::move(files);
     m_thread->startAnew();
     m_status = {};
+    if (m_document.design().count<Patch>() > 0)
+        m_status.state = SolverStatus::State::Preparing; // it may be long until the solver says so
     m_report = {};
     takeSurface(nullptr, nullptr);
     emit statusChanged(m_status);

@@ -396,7 +396,7 @@ void MainWindow::connectFindings()
 {
     // What is not on the screen yet is not called good.
     const auto update = [this] {
-        const bool seen = m_coverView->pictures(m_solver->surface());
+        const bool seen = m_coverView->pictures(m_solver->surface()) && m_covers->isTrimmed();
         const bool known = seen && m_findings->known();
         const std::vector<CoverFinding> findings = findingsToSay();
         m_status->setFindings(findings, known);
@@ -408,6 +408,7 @@ void MainWindow::connectFindings()
     connect(m_findings.get(), &FindingsLink::changed, this, update);
     // A window that is destroyed hides its docks, when the findings are gone.
     connect(m_coverView, &CoverView::pictured, m_findings.get(), update);
+    connect(m_covers.get(), &CoverLink::trimmed, m_findings.get(), update);
     connect(m_docks->cover, &QDockWidget::visibilityChanged, m_findings.get(), update);
     connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
     const auto showFinding = [this](const CoverFinding& finding) {

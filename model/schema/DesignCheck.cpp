@@ -1,6 +1,7 @@
 #include "DesignCheck.h"
 
 #include "ElementRules.h"
+#include "PatternSize.h"
 #include "StretchLength.h"
 
 #include <algorithm>
@@ -103,9 +104,7 @@ Problems allProblems(const ReadDesign& read)
 double smallestEdgeLength(const Design& design)
 {
     constexpr double mostTriangles = 5e6;
-    double area = 0;
-    design.each<Patch>([&](ElementId, const Patch& patch) { area += std::abs(patch.outline.signedArea()); });
-    return std::sqrt(area / mostTriangles * 4 / std::sqrt(3.0)); // of equilateral triangles
+    return edgeLengthFor(patternArea(design), mostTriangles / 2);
 }
 
 double seamEase(const Design& design, const Seam& seam)

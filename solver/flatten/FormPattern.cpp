@@ -116,10 +116,12 @@ bool isStraight(const std::vector<Point>& row, double tolerance)
 
 class Builder {
 public:
-    Builder(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order)
+    Builder(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order,
+            const std::stop_token& stop)
         : m_form(form)
         , m_flat(flat)
         , m_order(order)
+        , m_stop(stop)
         , m_builder(Design())
     {}
 
@@ -131,22 +133,25 @@ public:
         m_fabric = m_builder.add(m_order.fabric);
         m_starts.resize(m_form.pieces.size());
         m_rowWidth = rowWidth();
-        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+        for (std::size_t p = 0; goesOn(p); ++p)
             addPatch(p);
-        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+        for (std::size_t p = 0; goesOn(p); ++p)
             for (std::size_t r = 0; r < piece(p).rows.size(); ++r)
                 addRow(p, r);
         if (m_order.twins)
             linkTwins();
         m_result.design = m_builder.now();
-        adviseOnHolding();
-        adviseOnEdges();
-        adviseOnSize();
-        adviseOnStrain();
+        if (!m_stop.stop_requested()) {
+            adviseOnHolding();
+            adviseOnEdges();
+            adviseOnSize();
+            adviseOnStrain();
+        }
         return std::move(m_result);
     }
 
 private:
+    bool goesOn(std::size_t p) const { return p < m_form.pieces.size() && !m_stop.stop_requested(); }
     const FormPiece& piece(std::size_t p) const { return m_form.pieces[p]; }
     const Vec3& formPoint(std::size_t p, std::size_t k) const
     {
@@ -527,8 +532,8 @@ private:
     /// Pieces that are mirror images of each other at the usual plane of symmetry follow each other from now on.
     void linkTwins()
     {
-        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
-            for (std::size_t q = p + 1; q < m_form.pieces.size(); ++q) {
+        for (std::size_t p = 0; goesOn(p); ++p)
+            for (std::size_t q = p + 1; goesOn(q); ++q) {
                 if (!isThere(p) || !isThere(q) || !mirrors(p, q) || !mirrors(q, p))
                     continue;
                 const Edit link = edits::linkTwins(m_builder.now(), m_result.patches[p], m_result.patches[q]);
@@ -565,6 +570,7 @@ private:
     const Form& m_form;
     std::vector<FlatPiece> m_flat;
     const FormPatternOrder& m_order;
+    std::stop_token m_stop;
     edits::EditBuilder m_builder;
     FormPattern m_result;
     ElementId m_fabric = noElement;
@@ -577,9 +583,10 @@ private:
 
 } // namespace
 
-FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order)
+FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order,
+                        const std::stop_token& stop)
 {
-    return Builder(form, flat, order).build();
+    return Builder(form, flat, order, stop).build();
 }
 
 } // namespace bolster

@@ -42,6 +42,8 @@ struct FormPattern {
 
 /// Each piece becomes a patch with corners where its seams meet and where its outline turns sharply; each row of
 /// edges that two pieces have in common a seam; each row at the form's border a fixation curve with its fixation.
-FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order);
+/// When stopped it is not whole.
+FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order,
+                        const std::stop_token& stop = {});
 
 } // namespace bolster

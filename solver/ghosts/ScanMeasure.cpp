@@ -8,15 +8,13 @@
 
 namespace bolster {
 
-namespace {
-
-ScanFigures figuresOf(const std::vector<float>& deviations, const std::vector<double>& areas)
+ScanFigures scanFigures(const std::vector<float>& deviations, const std::vector<double>& areas)
 {
     std::vector<std::pair<double, double>> sizes; // with their areas
     double all = 0, measured = 0, squares = 0;
     for (std::size_t v = 0; v < areas.size(); ++v) {
         all += areas[v];
-        if (std::isnan(deviations[v]))
+        if (std::isnan(deviations[v]) || !(areas[v] > 0))
             continue;
         sizes.emplace_back(std::abs(deviations[v]), areas[v]);
         measured += areas[v];
@@ -37,8 +35,6 @@ ScanFigures figuresOf(const std::vector<float>& deviations, const std::vector<do
     figures.coverage = measured / all;
     return figures;
 }
-
-} // namespace
 
 ScanDeviation measureScan(const SurfaceMesh& surface, const Scan& scan, std::shared_ptr<const ScanIndex> index,
                           WorkerPool& pool)
@@ -61,7 +57,7 @@ ScanDeviation measureScan(const SurfaceMesh& surface, const Scan& scan, std::sha
     for (std::size_t v = 0; v < points.size(); ++v)
         if (!std::isnan(result.ofVertex[v]))
             result.pairs.emplace_back(static_cast<std::uint32_t>(v), points[v]);
-    result.figures = figuresOf(result.ofVertex, vertexAreas(*surface.topology, surface.positions));
+    result.figures = scanFigures(result.ofVertex, vertexAreas(*surface.topology, surface.positions));
     result.figures.points = place.index().size();
     return result;
 }

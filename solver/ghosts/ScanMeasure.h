@@ -23,6 +23,9 @@ struct ScanDeviation {
 ScanDeviation measureScan(const SurfaceMesh& surface, const Scan& scan, std::shared_ptr<const ScanIndex> index,
                           WorkerPool& pool);
 
+/// Of what `areas` of vertices, mm^2, is more than 0.
+ScanFigures scanFigures(const std::vector<float>& deviations, const std::vector<double>& areas);
+
 /// Of all scans whose points are there, enabled or not.
 std::vector<SolveReport::ScanFit> measureScans(const SolveInput& input, const SurfaceMesh& surface,
                                                ScanIndexCache& cache, WorkerPool& pool);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "BSpline.h"
-#include "ElementId.h"
+#include "Design.h"
 #include "ScanIndex.h"
 #include "TriangleMesh.h"
 
@@ -22,6 +22,9 @@ struct FitTarget {
 /// Of a mesh (mm): points on its triangles, about as dense as the cover's vertices need them.
 FitTarget targetOf(const TriangleMesh& mesh);
 FitTarget targetOf(const Scan& scan, const PointCloud& cloud);
+
+/// No scan pulls at the cover of this one: it is the cover that the pattern alone makes, which goals are about.
+Design withoutPulls(const Design& design);
 
 /// A seam that shall run along a curve, mm.
 struct SeamGoal {
@@ -79,7 +82,7 @@ struct FitLocks {
 };
 
 struct FitFigures {
-    double distanceRms = 0, distanceP95 = 0; ///< mm, where there is a target
+    double distanceRms = 0, distanceP95 = 0; ///< mm, where there is a target: of FitGoals::area, as the next two
     double covered = 0;                      ///< share of the cover that has one
     double overLimit = 0;                    ///< share of the cover's area whose strain is over the limit
     double strainRms = 0;                    ///< 1

@@ -62,6 +62,17 @@ double cornerAngle(const BSpline2& outline, double corner)
     return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
 }
 
+/// Of the cover that its vertices stand for, mm^2; 0 for those that are not in an area.
+std::vector<double> areasIn(const SurfaceMesh& surface, const FitArea& area)
+{
+    std::vector<double> areas = vertexAreas(*surface.topology, surface.positions);
+    for (const SurfaceTopology::PatchRange& range : surface.topology->patches)
+        for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
+            if (!area.has(range.patch, surface.topology->pattern[v]))
+                areas[v] = 0;
+    return areas;
+}
+
 /// Triangles whose middles lie in an area.
 std::vector<std::uint32_t> trianglesIn(const SurfaceTopology& topology, const Design& design, const FitArea& area)
 {
@@ -140,6 +151,19 @@ bool FitArea::hasWhole(ElementId patch) const
     return (patches.empty() && spots.empty()) || patches.contains(patch);
 }
 
+Design withoutPulls(const Design& design)
+{
+    Design result = design;
+    design.each<Scan>([&](ElementId id, const Scan& scan) {
+        if (!scan.enabled)
+            return;
+        Scan still = scan;
+        still.enabled = false;
+        result = result.with({{}, {{id, design.element(id), makeElement(std::move(still))}}});
+    });
+    return result;
+}
+
 bool FitArea::hasAny(ElementId patch) const
 {
     return hasWhole(patch) || std::ranges::find(spots, patch, &AreaSpot::patch) != spots.end();
@@ -188,21 +212,16 @@ void FitRows::addAims(const WarmCover& cover, const FitTarget& target, double we
     const SurfaceMeshPtr surface = cover.surface();
     WorkerPool pool(0);
     const ScanDeviation deviation = measureScan(*surface, target.place, target.index, pool);
-    const std::vector<double> areas = vertexAreas(*surface->topology, surface->positions);
+    const std::vector<double> areas = areasIn(*surface, everywhere ? FitArea() : m_goals.area);
     const std::size_t first = m_aims.size();
     double all = 0;
-    for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
-        if (!everywhere && !m_goals.area.hasAny(range.patch))
+    for (std::size_t v = 0; v < areas.size(); ++v) {
+        if (std::isnan(deviation.ofVertex[v]) || !(areas[v] > 0))
             continue;
-        for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
-            if (std::isnan(deviation.ofVertex[v]) ||
-                (!everywhere && !m_goals.area.has(range.patch, surface->topology->pattern[v])))
-                continue;
-            const Vec3 normal = surface->normals[v].cast<double>();
-            m_aims.push_back(
-                {static_cast<int>(v), normal, normal.dot(surface->positions[v]) - deviation.ofVertex[v], areas[v]});
-            all += areas[v];
-        }
+        const Vec3 normal = surface->normals[v].cast<double>();
+        m_aims.push_back(
+            {static_cast<int>(v), normal, normal.dot(surface->positions[v]) - deviation.ofVertex[v], areas[v]});
+        all += areas[v];
     }
     for (std::size_t k = first; k < m_aims.size(); ++k)
         m_aims[k].weight = weight * std::sqrt(m_aims[k].weight / all);
@@ -312,7 +331,8 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
     WorkerPool pool(0);
     const SurfaceMeshPtr surface = cover.surface();
     if (!m_goals.target.empty()) {
-        const ScanFigures found = measureScan(*surface, m_goals.target.place, m_goals.target.index, pool).figures;
+        const ScanDeviation deviation = measureScan(*surface, m_goals.target.place, m_goals.target.index, pool);
+        const ScanFigures found = scanFigures(deviation.ofVertex, areasIn(*surface, m_goals.area));
         figures.distanceRms = found.rms;
         figures.distanceP95 = found.p95;
         figures.covered = found.coverage;

@@ -2,6 +2,7 @@
 
 #include "DesignCheck.h"
 #include "FitRows.h"
+#include "PatternSize.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
@@ -46,11 +47,9 @@ constexpr double leastEffect = 1e-7;                            // of a freedom,
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
 std::vector<double> edgesFor(const Design& design)
 {
-    double area = 0;
-    design.each<Patch>([&](ElementId, const Patch& patch) { area += std::abs(patch.outline.signedArea()); });
-    const auto edgeFor = [&](double vertices) { return std::sqrt(area / (vertices * std::sqrt(0.75))); };
-    const double last = std::max(design.settings().edgeLength, edgeFor(manyVertices));
-    const double first = edgeFor(fewVertices);
+    const double area = patternArea(design);
+    const double last = std::max(design.settings().edgeLength, edgeLengthFor(area, manyVertices));
+    const double first = edgeLengthFor(area, fewVertices);
     return first * first > worthIt * last * last ? std::vector{first, last} : std::vector{last};
 }
 
@@ -172,7 +171,7 @@ private:
         order.tolerance = tolerance;
         order.threads = m_order.threads;
         auto cover = std::make_unique<WarmCover>(SolveInput(design, m_input.files), order, m_stop);
-        if (cover->problem().empty())
+        if (cover->hasHome())
             return cover;
         fail(cover->problem());
         return nullptr;
@@ -264,7 +263,7 @@ private:
             // It may be where the last try has left it.
             if (m_stop.stop_requested() || !cover->follow(m_result.design, m_stop))
                 return false;
-            report(*cover, edge, static_cast<double>(round) / m_order.mostRounds);
+            report(*cover, edge, doneAfter(round));
             const Outcome outcome = step(*cover, damping, round);
             if (!m_result.reason.empty())
                 return false;
@@ -356,6 +355,10 @@ private:
         tell(share);
     }
 
+    /// Share of a stage that so many rounds are, about: how many it takes is not known, and a second one mostly
+    /// ends it.
+    static double doneAfter(double rounds) { return 1 - std::exp2(-1.5 * rounds); }
+
     /// How much of a stage is done. Progress never goes back, though a verification may lead to more rounds.
     void tell(double share)
     {
@@ -373,7 +376,7 @@ private:
         Eigen::VectorXd now = m_rows.rows(cover, m_result.design);
         const Derivatives derivatives = m_derivatives->of(
             cover, m_result.design, m_order.freedoms, measure(),
-            [&](double share) { tell((round + share) / m_order.mostRounds); }, m_stop);
+            [&](double share) { tell(doneAfter(round + share)); }, m_stop);
         if (m_stop.stop_requested())
             return Outcome::Settled;
         if (derivatives.columns.size() == 0) {
@@ -615,12 +618,12 @@ std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOr
     warm.threads = order.threads;
     FitRows rows(order.goals, order.locks, input.design);
     const WarmCover before(input, warm, stop);
-    if (!before.problem().empty() || stop.stop_requested())
+    if (!before.hasHome())
         return std::nullopt;
     rows.keep(before);
     MeasuredChange measured{rows.figures(before, input.design), {}};
     const WarmCover cover(SolveInput(changed, input.files), warm, stop);
-    if (!cover.problem().empty() || stop.stop_requested())
+    if (!cover.hasHome())
         return std::nullopt;
     rows.aim(cover);
     measured.after = rows.figures(cover, changed);

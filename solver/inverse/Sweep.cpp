@@ -22,7 +22,8 @@ float percentile95(std::vector<float>& sizes)
 {
     if (sizes.empty())
         return 0;
-    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+    // Of fewer than 20 it is the largest.
+    const auto place = static_cast<std::ptrdiff_t>((sizes.size() * 95 + 99) / 100) - 1;
     std::ranges::nth_element(sizes, sizes.begin() + place);
     return sizes[static_cast<std::size_t>(place)];
 }
@@ -172,7 +173,7 @@ std::vector<SweepSample> Sweep::solve(std::uint64_t first, int count, const std:
 void Sweep::solveAlone(const Design& design, SweepSample& sample, const std::stop_token& stop) const
 {
     const WarmCover alone({design, m_files}, {.edgeLength = m_edgeLength}, stop);
-    if (!alone.problem().empty() || stop.stop_requested())
+    if (!alone.hasHome())
         return;
     sample.outside = Team::outside(*alone.surface(), *m_nominal);
     sample.strain = measureSurface(alone.sheet(), alone.state()).strain.p99;

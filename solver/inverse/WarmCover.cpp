@@ -1,6 +1,7 @@
 #include "WarmCover.h"
 
 #include "CoarseStart.h"
+#include "FitGoals.h"
 #include "SeamEnds.h"
 #include "SheetFollow.h"
 #include "SolveFailure.h"
@@ -42,14 +43,7 @@ WarmCover::WarmCover(const SolveInput& input, const WarmOrder& order, const std:
 /// On the triangles that were ordered, and without what would pull the cover to where it is measured.
 SolveInput WarmCover::asWanted(const Design& design) const
 {
-    Design wanted = design;
-    if (!m_order.fitsScans)
-        design.each<Scan>([&](ElementId id, const Scan& scan) {
-            Scan still = scan;
-            still.enabled = false;
-            wanted = wanted.with({{}, {{id, wanted.element(id), makeElement(std::move(still))}}});
-        });
-    const SolveInput input{wanted, m_files};
+    const SolveInput input{withoutPulls(design), m_files};
     return m_order.edgeLength > 0 ? withEdgeLength(input, m_order.edgeLength) : input;
 }
 

@@ -20,7 +20,6 @@ struct WarmOrder {
     int mostIterations = 3000;
     int mostWarmIterations = 3000; ///< from home: what takes longer counts as having no cover
     int iterationsBeside = 0;      ///< of WarmCover::lookBeside; 0: until it rests
-    bool fitsScans = false;        ///< scans that are enabled pull; else they are only there to be measured against
     int threads = 1;
 };
 
@@ -30,8 +29,10 @@ public:
     /// Solves from the start that depends on the design alone; see `problem`.
     WarmCover(const SolveInput& input, const WarmOrder& order, const std::stop_token& stop = {});
 
-    /// Why the last cover was not found; empty when it was.
+    /// Why the last cover was not found; empty when it was, or when that was stopped.
     const Message& problem() const { return m_problem; }
+    /// A cover was found to go from. Without it there are no triangles and no places.
+    bool hasHome() const { return m_home.positions.cols() > 0; }
     /// Finds the cover of another design from where home is, on the same triangles: a function of home and this
     /// design alone, whatever was asked for in between. False when it has none, or needs other triangles.
     bool follow(const Design& design, const std::stop_token& stop = {});

@@ -1,9 +1,9 @@
 #include "CoarseStart.h"
 
+#include "PatternSize.h"
 #include "Relaxation.h"
 #include "StateTransfer.h"
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -23,13 +23,12 @@ std::vector<double> levelsOf(const SewnMesh& mesh, double edge)
     double area = 0;
     for (const SewnMesh::Part& part : mesh.parts)
         area += part.area;
-    const double ofTriangle = std::sqrt(0.75); // area that a vertex has, of the edge's square
-    const auto vertices = [&](double length) { return area / (ofTriangle * length * length); };
+    const double vertices = vertexCount(area, edge);
     std::vector<double> levels;
-    if (vertices(edge) < fewVertices)
+    if (vertices < fewVertices)
         return levels;
-    for (double length = std::sqrt(area / (ofTriangle * coarsestVertices));
-         vertices(edge) > worthIt * vertices(length); length /= 2)
+    for (double length = edgeLengthFor(area, coarsestVertices); vertices > worthIt * vertexCount(area, length);
+         length /= 2)
         levels.push_back(length);
     return levels;
 }

@@ -101,7 +101,7 @@ protected:
     }
 
     /// A box cushion with pieces that are too large, beside a scan of one that is right.
-    void openLargeCushion()
+    void openLargeCushion(bool pulls = false)
     {
         const QString path = sample("box-cushion");
         QFile file(path);
@@ -127,7 +127,7 @@ protected:
         Scan scan;
         scan.name = "Built";
         scan.file = "built.ply";
-        scan.enabled = false;
+        scan.enabled = pulls;
         bent = bent.with({{}, {{bent.nextId(), nullptr, makeElement(scan)}}});
         writeText(folder.filePath("cushion.json"), writeDesign(bent));
         ASSERT_TRUE(open(folder.filePath("cushion.json")));
@@ -344,6 +344,33 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     EXPECT_LT(most, 1e-6) << "the cover that was seen is the one that was taken";
     EXPECT_TRUE(outlineNow(left) == before.find<Patch>(left)->outline);
     EXPECT_LT((outlineNow(taken).points()[0] - half).norm(), 1e-9);
+    dialog->close();
+    takeKeyboard();
+    designer.key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+}
+
+TEST_F(BothWaysTest, AScanThatPullsAtTheCoverIsSaidAndSwitchedOff)
+{
+    openLargeCushion(true);
+    const Design before = design();
+    const auto pulls = [&] {
+        bool any = false;
+        design().each<Scan>([&](ElementId, const Scan& scan) { any = any || scan.enabled; });
+        return any;
+    };
+    designer.choose({"Pattern", "Fit to a goal"});
+    auto* dialog = window.findChild<PatternFitWindow*>();
+    ASSERT_TRUE(dialog);
+    auto* note = dialog->findChild<QLabel*>("pull-note");
+    ASSERT_TRUE(note);
+    EXPECT_TRUE(note->isVisible());
+    takeKeyboard(*dialog);
+    note->setFocus();
+    QTest::keyClick(note, Qt::Key_Tab); // to the link in it
+    QTest::keyClick(note, Qt::Key_Return);
+    EXPECT_FALSE(pulls());
+    EXPECT_FALSE(note->isVisible());
     dialog->close();
     takeKeyboard();
     designer.key(Qt::Key_Z, Qt::ControlModifier);

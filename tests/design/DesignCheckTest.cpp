@@ -1,4 +1,5 @@
 #include "DesignCheck.h"
+#include "PatternSize.h"
 
 #include "TestData.h"
 
@@ -468,6 +469,20 @@ TEST(UsablePart, FallsBackToAnEdgeLengthThatWorks)
     const Design usable = usablePart(parts.design(), problems, &leftOut);
     EXPECT_GT(usable.settings().edgeLength, 600);
     EXPECT_FALSE(hasErrors(checkDesign(usable)));
+}
+
+TEST(PatternSize, IsThatOfAllPatches)
+{
+    Parts parts;
+    EXPECT_DOUBLE_EQ(patternArea(parts.design()), (500 + 120) * 480);
+    EXPECT_DOUBLE_EQ(patternArea(Design()), 0);
+}
+
+/// A honeycomb: six triangles meet in each vertex.
+TEST(PatternSize, VerticesAreHalfOfTheTriangles)
+{
+    EXPECT_NEAR(2 * vertexCount(1000, 2) * (std::sqrt(3) / 4 * 2 * 2), 1000, 1e-9);
+    EXPECT_NEAR(edgeLengthFor(1000, vertexCount(1000, 2)), 2, 1e-12);
 }
 
 TEST(SeamEase, IsTheShareOfTheLongerSide)

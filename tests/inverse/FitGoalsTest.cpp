@@ -159,6 +159,33 @@ TEST(FitGoals, OnlyAPaintedAreaCounts)
     EXPECT_LT(there.after.overLimit, there.before.overLimit);
 }
 
+TEST(FitGoals, TheDistanceIsThatOfTheArea)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    const ElementId patch = firstPatch(design);
+    const AreaSpot spot{patch, design.find<Patch>(patch)->outline.boundingBox().center(), 60};
+    const SolveResult cover = solved(design, 1e-6);
+    ASSERT_TRUE(cover.surface);
+    TriangleMesh form;
+    form.points = cover.surface->positions;
+    form.triangles = cover.surface->topology->triangles;
+    for (const SurfaceTopology::PatchRange& range : cover.surface->topology->patches)
+        for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
+            if (FitArea{{}, {spot}}.has(range.patch, cover.surface->topology->pattern[v]))
+                form.points[v] += 4 * cover.surface->normals[v].cast<double>();
+    FitOrder order = orderFor(design);
+    order.goals.target = targetOf(form);
+    const auto distanceIn = [&](const FitArea& area) {
+        order.goals.area = area;
+        const auto measured = measureChange(design, order, design);
+        return measured ? measured->before : FitFigures();
+    };
+    const FitFigures whole = distanceIn({}), there = distanceIn({{}, {spot}});
+    EXPECT_GT(there.distanceRms, 2);
+    EXPECT_LT(whole.distanceRms, 0.6 * there.distanceRms);
+    EXPECT_GT(there.covered, 0.9) << "of the area";
+}
+
 /// A seam between edges of different lengths: with the ease as it is its sides come nearer to each other, with a
 /// free one the ease becomes what they are.
 TEST(FitGoals, EasesBecomeWhatSidesAre)

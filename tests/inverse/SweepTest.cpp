@@ -37,6 +37,24 @@ void expectSame(const SweepSample& a, const SweepSample& b)
     EXPECT_EQ(a.strain, b.strain);
 }
 
+/// What 95 % of the pieces do not exceed, when there are few of them.
+TEST(Sweep, OfFewPiecesTheWorstOneCounts)
+{
+    const auto p95Of = [](int count) {
+        std::vector<SweepSample> samples(static_cast<std::size_t>(count));
+        std::vector<const SweepSample*> all;
+        for (int k = 0; k < count; ++k) {
+            samples[static_cast<std::size_t>(k)].outside = {static_cast<float>(k % 2 ? k + 1 : -k - 1)};
+            all.push_back(&samples[static_cast<std::size_t>(k)]);
+        }
+        return solvedP95(all).front();
+    };
+    EXPECT_EQ(p95Of(1), 1);
+    EXPECT_EQ(p95Of(12), 12);
+    EXPECT_EQ(p95Of(20), 19);
+    EXPECT_EQ(p95Of(1000), 950);
+}
+
 TEST(Sweep, SamplesAreTheSameInPortionsAndOnAnyNumberOfThreads)
 {
     const Design design = coarseSample("box-cushion", 30);

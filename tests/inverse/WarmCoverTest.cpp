@@ -1,5 +1,6 @@
 // Covers that are found from one at rest.
 #include "WarmCover.h"
+#include "FitGoals.h"
 
 #include "CoverMove.h"
 #include "DesignFile.h"
@@ -254,6 +255,30 @@ TEST(WarmCover, StaysAtHomeWhenItCannotMove)
     EXPECT_FALSE(cover.problem().empty());
     ASSERT_TRUE(cover.follow(larger(design)));
     EXPECT_TRUE(cover.state().positions == first);
+}
+
+TEST(WarmCover, HasNoHomeWhenItWasStopped)
+{
+    std::stop_source stop;
+    stop.request_stop();
+    const Design design = sample("box-cushion");
+    const WarmCover stopped(design, {.edgeLength = 25}, stop.get_token()), whole(design, {.edgeLength = 25});
+    EXPECT_TRUE(stopped.problem().empty());
+    EXPECT_FALSE(stopped.hasHome());
+    EXPECT_TRUE(whole.hasHome());
+}
+
+TEST(WarmCover, NoScanPullsAtIt)
+{
+    DesignBuilder b(10);
+    b.patch(rectangle(30, 20), b.fabric(0.3, 0));
+    Scan scan;
+    scan.name = "Built";
+    const Design right = b.design(), pulled = right.with({{}, {{right.nextId(), nullptr, makeElement(scan)}}});
+    EXPECT_TRUE(withoutPulls(right) == right);
+    int scans = 0;
+    withoutPulls(pulled).each<Scan>([&](ElementId, const Scan& still) { scans += !still.enabled; });
+    EXPECT_EQ(scans, 1);
 }
 
 TEST(WarmCover, SaysWhyThereIsNone)

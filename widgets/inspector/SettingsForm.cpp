@@ -2,6 +2,7 @@
 
 #include "CuttingForms.h"
 #include "Icons.h"
+#include "PatternSize.h"
 #include "PlacementFields.h"
 #include "StretchLength.h"
 #include "Twins.h"
@@ -18,23 +19,6 @@ namespace {
 
 const NumberBox::Range directionRange{{}, 4, -1e7, 1e7, 0.1};
 
-/// Of all patches, mm^2.
-double patternArea(const Design& design)
-{
-    double area = 0;
-    design.each<Patch>([&](ElementId, const Patch& patch) {
-        area += patch.outline.empty() ? 0 : std::abs(patch.outline.signedArea());
-    });
-    return area;
-}
-
-/// Of the cover that an edge length makes, about: what time and memory depend on.
-double vertexCount(const Design& design)
-{
-    const double edge = design.settings().edgeLength;
-    return patternArea(design) / (std::sqrt(0.75) * edge * edge);
-}
-
 /// Two digits: more would not be true.
 QString aboutText(double count)
 {
@@ -49,8 +33,10 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
     form.addHeading(kindWord(kindOf<Settings>()), icon(QStringLiteral("settings")));
     const InspectorSubject<Settings> settings(m_document, {settingsId}, form);
     settings.field(&Settings::edgeLength);
-    form.addInfo(tr("Vertices"),
-                 [this] { return tr("about %1").arg(aboutText(vertexCount(m_document.design()))); });
+    form.addInfo(tr("Vertices"), [this] {
+        const Design& design = m_document.design();
+        return tr("about %1").arg(aboutText(vertexCount(patternArea(design), design.settings().edgeLength)));
+    });
     form.explain(tr("How many points the cover has at this edge length: solving takes time and memory for each."));
     addSymmetry(form, settings);
     form.addInfo(tr("Patches"), [this] {

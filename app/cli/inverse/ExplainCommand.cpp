@@ -153,6 +153,7 @@ int explain(std::span<const std::string> words)
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))
         return badInput;
+    sayOfPulls(opened.design);
     const FitTarget scan = arguments.has("--scan")
                                ? targetIn(arguments.path("--scan"), arguments, interrupt.token())
                                : scanOf(opened, "--scan");

@@ -406,6 +406,7 @@ int fitPattern(std::span<const std::string> words)
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))
         return badInput;
+    sayOfPulls(opened.design);
     const Asked asked = askedOf(arguments, opened, interrupt.token());
     FitResult result;
     {

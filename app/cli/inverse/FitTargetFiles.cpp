@@ -4,6 +4,7 @@
 #include "FileGuess.h"
 #include "FormImport.h"
 #include "LengthUnits.h"
+#include "Output.h"
 
 namespace bolster::cli {
 
@@ -44,6 +45,14 @@ FitTarget scanOf(const OpenedDesign& opened, const std::string& option)
                              ? "the design has no scan whose file can be read: give one with " + option + " FILE"
                              : "the design has several scans: give the file of one with " + option + " FILE");
     return target;
+}
+
+void sayOfPulls(const Design& design)
+{
+    if (!(withoutPulls(design) == design))
+        printError(
+            "warning: the cover of this design is pulled to a scan (\"enabled\"); here it counts as the pattern "
+            "alone makes it");
 }
 
 } // namespace bolster::cli

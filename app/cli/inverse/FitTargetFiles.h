@@ -17,4 +17,7 @@ FitTarget targetIn(const QString& path, const Arguments& arguments, const std::s
 /// Throws UsageError when the design has no scan, or several; `option` is what names a file instead.
 FitTarget scanOf(const OpenedDesign& opened, const std::string& option);
 
+/// That a scan pulls at the cover which `solve` finds, which is left out here.
+void sayOfPulls(const Design& design);
+
 } // namespace bolster::cli

@@ -276,11 +276,13 @@ int flattenForm(std::span<const std::string> words)
         ProgressLine line("laying it flat");
         flat = flatten(form, {order.fabric.poisson}, interrupt.token());
     }
+    FormPattern made;
+    if (!interrupt.token().stop_requested())
+        made = formPattern(form, flat, order, interrupt.token());
     if (interrupt.token().stop_requested()) {
         printError("error: interrupted");
         return otherFailure;
     }
-    const FormPattern made = formPattern(form, flat, order);
     printWarnings(made.notes);
     printWarnings(made.advice);
     if (std::ranges::count(made.patches, noElement) == std::ssize(made.patches)) {

@@ -1,6 +1,7 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
 #include "FabricFields.h"
+#include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "OutputFiles.h"
@@ -156,6 +157,7 @@ int relieve(std::span<const std::string> words)
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))
         return badInput;
+    sayOfPulls(opened.design);
     ReliefList list;
     {
         ProgressLine line("solving");

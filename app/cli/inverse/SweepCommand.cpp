@@ -1,5 +1,6 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
+#include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "JobShare.h"
 #include "Output.h"
@@ -292,6 +293,7 @@ int sweep(std::span<const std::string> words)
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))
         return badInput;
+    sayOfPulls(opened.design);
     const SweepSpec spec = readSweepSpec(arguments.path("--spec"), opened.design);
     SweepFolder folder(arguments.path("--out"),
                        writeDesign(opened.design) + meshesAsText(opened.files) +

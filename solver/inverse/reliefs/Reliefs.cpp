@@ -2,6 +2,7 @@
 
 #include "CoverTeam.h"
 #include "EditCheck.h"
+#include "FitGoals.h"
 #include "ReliefCandidates.h"
 #include "RestingSolve.h"
 
@@ -147,7 +148,7 @@ private:
         std::optional<CoverStrains> strains;
         if (relief.kind == Relief::Kind::Dart) {
             const WarmCover other({design, m_input.files}, {.edgeLength = m_order.edgeLength}, m_stop);
-            if (other.problem().empty())
+            if (other.hasHome())
                 strains = strainsOf(other, m_order.limit);
         } else {
             strains = strainsWith(cover, design);
@@ -195,7 +196,7 @@ const char* wordOf(Relief::Kind kind)
 void solveRelief(const SolveInput& input, const std::optional<double>& limit, const OverLimit& now, int threads,
                  Relief& relief, const std::stop_token& stop)
 {
-    const Design design = input.design.with(relief.edit);
+    const Design design = withoutPulls(input.design.with(relief.edit));
     const SolveResult result = solveResting({design, input.files}, {.threads = threads}, stop);
     if (result.status != SolveResult::Status::Solved || !(now.energy > 0))
         return;
@@ -208,7 +209,8 @@ ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order, con
                           const std::stop_token& stop)
 {
     ReliefList result;
-    const SolveResult now = solveResting(input, {.threads = order.threads}, stop);
+    const SolveResult now =
+        solveResting({withoutPulls(input.design), input.files}, {.threads = order.threads}, stop);
     if (now.status != SolveResult::Status::Solved) {
         result.problem = now.reason;
         return result;

@@ -1,0 +1,25 @@
+// Says that a scan pulls at the cover that is shown, which the tools of this folder leave out, and switches that
+// off.
+#pragma once
+
+#include <QLabel>
+
+namespace bolster {
+
+class Document;
+
+/// What a pattern has to be changed for, and by how much, its own cover says. Hidden while no scan pulls.
+class PullNote : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit PullNote(Document& document, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+    void switchOff();
+
+    Document& m_document;
+};
+
+} // namespace bolster
