@@ -8147,6 +8147,10 @@
         <source>Painted area</source>
         <translation>Gemalter Bereich</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9323,6 +9327,10 @@
         <source>Choose a goal.</source>
         <translation>Wählen Sie ein Ziel.</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>Kanten, die auf %1 gerade sind, bleiben es; solche, die nur gerade aussehen, dürfen sich biegen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10447,10 +10455,6 @@
         <translation>Änderungen &amp;suchen</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>%1 von der Form entfernt (quadratisches Mittel)</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Keine Änderung macht es besser.</translation>
     </message>
@@ -10518,10 +10522,6 @@
         <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren:</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>%1 von der Form (rms), zuerst auf wenigen Dreiecken</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nichts liegt über den Grenzen: Es gibt nichts zu tun.</translation>
     </message>
@@ -10564,6 +10564,22 @@
     <message>
         <source>Taken back.</source>
         <translation>Zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>%1 von der Form (RMS; vorher: %2), zunächst auf wenigen Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>%1 von der Form (RMS; vorher: %2)</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>Über das hinaus gedehnt, was die Stoffe zulassen: vorher %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>Angehalten. Was bis dahin gefunden wurde, macht es nicht besser: Nichts hat sich geändert.</translation>
     </message>
 </context>
 <context>
@@ -10723,6 +10739,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>Ohne diesen Zug zeigen</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>Kein Scan zieht mehr am Bezug. „Rückgängig“ lässt ihn wieder ziehen.</translation>
     </message>
 </context>
 <context>

@@ -8147,6 +8147,10 @@
         <source>Painted area</source>
         <translation>Zona pintada</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9323,6 +9327,10 @@
         <source>Choose a goal.</source>
         <translation>Elija un objetivo.</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>Los bordes rectos dentro de %1 siguen rectos; los que solo lo parecen pueden curvarse</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10447,10 +10455,6 @@
         <translation>&amp;Buscar cambios</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>%1 respecto a la forma (RMS)</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Ningún cambio lo mejora.</translation>
     </message>
@@ -10518,10 +10522,6 @@
         <translation>Detenido. Con todos los cambios encontrados hasta entonces:</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>%1 de la forma (rms), primero con pocos triángulos</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nada supera los límites: no hay nada que hacer.</translation>
     </message>
@@ -10564,6 +10564,22 @@
     <message>
         <source>Taken back.</source>
         <translation>Deshecho.</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>%1 de la forma (RMS; antes: %2), primero con pocos triángulos</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>%1 de la forma (RMS; antes: %2)</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>Estirado más de lo que permiten las telas: %1 antes, %2 ahora</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>Detenido. Lo hallado hasta entonces no lo mejora: nada ha cambiado.</translation>
     </message>
 </context>
 <context>
@@ -10723,6 +10739,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>Mostrarla sin esa atracción</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>Ningún escaneo tira ya de la funda. «Deshacer» vuelve a permitirlo.</translation>
     </message>
 </context>
 <context>

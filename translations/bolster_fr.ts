@@ -8147,6 +8147,10 @@
         <source>Painted area</source>
         <translation>Zone peinte</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9323,6 +9327,10 @@
         <source>Choose a goal.</source>
         <translation>Choisissez un objectif.</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>Les bords droits à %1 près le restent&#x202f;; ceux qui n’en ont que l’air peuvent se courber</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10447,10 +10455,6 @@
         <translation>C&amp;hercher des modifications</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>à %1 de la forme (RMS)</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Aucune modification n’améliore le résultat.</translation>
     </message>
@@ -10518,10 +10522,6 @@
         <translation>Arrêté. Avec toutes les modifications trouvées jusque-là&#x202f;:</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>%1 de la forme (rms), d’abord sur peu de triangles</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Rien ne dépasse les limites&#x202f;: il n’y a rien à faire.</translation>
     </message>
@@ -10564,6 +10564,22 @@
     <message>
         <source>Taken back.</source>
         <translation>Repris.</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>à %1 de la forme (RMS&#x202f;; avant&#x202f;: %2), d’abord sur peu de triangles</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>à %1 de la forme (RMS&#x202f;; avant&#x202f;: %2)</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>Étiré au-delà de ce que permettent les tissus&#x202f;: %1 avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>Arrêté. Ce qui a été trouvé jusque-là ne l’améliore pas&#x202f;: rien n’a changé.</translation>
     </message>
 </context>
 <context>
@@ -10723,6 +10739,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>La montrer sans cette traction</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>Plus aucun scan ne tire la housse. «&#x202f;Annuler&#x202f;» le rétablit.</translation>
     </message>
 </context>
 <context>

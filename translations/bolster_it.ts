@@ -8147,6 +8147,10 @@
         <source>Painted area</source>
         <translation>Zona dipinta</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Raggio</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9323,6 +9327,10 @@
         <source>Choose a goal.</source>
         <translation>Scegliere un obiettivo.</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>I bordi diritti entro %1 restano tali; quelli che lo sembrano soltanto possono curvarsi</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10447,10 +10455,6 @@
         <translation>&amp;Trova modifiche</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>%1 dalla forma (rms)</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Nessuna modifica lo migliora.</translation>
     </message>
@@ -10518,10 +10522,6 @@
         <translation>Fermato. Con tutte le modifiche trovate fino a quel momento:</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>%1 dalla forma (rms), prima su pochi triangoli</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Niente supera i limiti: non c’è nulla da fare.</translation>
     </message>
@@ -10564,6 +10564,22 @@
     <message>
         <source>Taken back.</source>
         <translation>Annullato.</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>%1 dalla forma (RMS; prima: %2), dapprima su pochi triangoli</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>%1 dalla forma (RMS; prima: %2)</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>Teso oltre quanto consentono i tessuti: %1 prima, %2 ora</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>Fermato. Quanto trovato finora non lo migliora: nulla è cambiato.</translation>
     </message>
 </context>
 <context>
@@ -10723,6 +10739,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>Mostrarlo senza questa trazione</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>Nessuna scansione tira più il rivestimento. «Annulla» lo ripristina.</translation>
     </message>
 </context>
 <context>

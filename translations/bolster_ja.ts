@@ -8142,6 +8142,10 @@
         <source>Painted area</source>
         <translation>塗った範囲</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9309,6 +9313,10 @@
         <source>Choose a goal.</source>
         <translation>目標を選んでください。</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>%1 以内で直線の辺はそのままです。直線に見えるだけの辺は曲がることがあります</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10420,10 +10428,6 @@
         <translation>変更を探す(&amp;F)</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>形状との差 %1 (RMS)</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>改善する変更はありません。</translation>
     </message>
@@ -10490,10 +10494,6 @@
         <translation>停止しました。それまでに見つかった変更をすべて適用した場合:</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>形状から %1（rms）、まず少ない三角形で</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>限度を超える箇所はありません。変更は不要です。</translation>
     </message>
@@ -10536,6 +10536,22 @@
     <message>
         <source>Taken back.</source>
         <translation>元に戻しました。</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>形状から %1（RMS、変更前：%2）、まず少ない三角形で</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>形状から %1（RMS、変更前：%2）</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>布地の許容を超えるひずみ：変更前 %1、現在 %2</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>停止しました。それまでに見つかった変更では改善しません。何も変更されていません。</translation>
     </message>
 </context>
 <context>
@@ -10694,6 +10710,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>引き寄せずに表示</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>スキャンはもうカバーを引いていません。「元に戻す」で再び引くようになります。</translation>
     </message>
 </context>
 <context>

@@ -8152,6 +8152,10 @@
         <source>Painted area</source>
         <translation>Pomalowany obszar</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Promień</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9337,6 +9341,10 @@
         <source>Choose a goal.</source>
         <translation>Wybierz cel.</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>Krawędzie proste z dokładnością do %1 takie pozostają; te, które tylko tak wyglądają, mogą się wygiąć</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10474,10 +10482,6 @@
         <translation>Z&amp;najdź zmiany</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>%1 od formy (RMS)</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>Żadna zmiana tego nie poprawi.</translation>
     </message>
@@ -10546,10 +10550,6 @@
         <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili:</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>%1 od formy (rms), najpierw na niewielu trójkątach</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nic nie przekracza granic: nie ma nic do zrobienia.</translation>
     </message>
@@ -10592,6 +10592,22 @@
     <message>
         <source>Taken back.</source>
         <translation>Cofnięto.</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>%1 od formy (RMS; przedtem: %2), najpierw na niewielu trójkątach</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>%1 od formy (RMS; przedtem: %2)</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>Odkształcone ponad to, na co pozwalają tkaniny: przedtem %1, teraz %2</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>Zatrzymano. To, co dotąd znaleziono, niczego nie poprawia: nic się nie zmieniło.</translation>
     </message>
 </context>
 <context>
@@ -10752,6 +10768,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>Pokaż go bez przyciągania</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>Żaden skan nie przyciąga już pokrowca. „Cofnij” to przywraca.</translation>
     </message>
 </context>
 <context>

@@ -8142,6 +8142,10 @@
         <source>Painted area</source>
         <translation>涂出的区域</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -9309,6 +9313,10 @@
         <source>Choose a goal.</source>
         <translation>请选择目标。</translation>
     </message>
+    <message>
+        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
+        <translation>在 %1 内为直线的边保持不变；只是看起来直的边可能会弯曲</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FlatPiecesView</name>
@@ -10420,10 +10428,6 @@
         <translation>查找更改(&amp;F)</translation>
     </message>
     <message>
-        <source>%1 from the form (rms)</source>
-        <translation>距形体 %1（均方根）</translation>
-    </message>
-    <message>
         <source>No change makes it better.</source>
         <translation>没有更改能使其更好。</translation>
     </message>
@@ -10490,10 +10494,6 @@
         <translation>已停止。采用到此为止找到的全部更改：</translation>
     </message>
     <message>
-        <source>%1 from the form (rms), on few triangles at first</source>
-        <translation>距形状 %1（rms），先用较少的三角形</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>没有超出限度之处：无需更改。</translation>
     </message>
@@ -10536,6 +10536,22 @@
     <message>
         <source>Taken back.</source>
         <translation>已撤回。</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
+        <translation>与形体相距 %1（均方根；之前：%2），先用少量三角形</translation>
+    </message>
+    <message>
+        <source>%1 from the form (rms; before: %2)</source>
+        <translation>与形体相距 %1（均方根；之前：%2）</translation>
+    </message>
+    <message>
+        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
+        <translation>应变超出面料允许范围：之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
+        <translation>已停止。此前找到的更改并没有改善：未作任何更改。</translation>
     </message>
 </context>
 <context>
@@ -10694,6 +10710,10 @@
     <message>
         <source>Show it without the pull</source>
         <translation>不拉动地显示</translation>
+    </message>
+    <message>
+        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
+        <translation>已没有扫描拉动面套。“撤销”可恢复。</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,7 @@ std::optional<int> runCommandLine(int argc, char** argv)
     if (words.empty())
         return std::nullopt;
     const std::string& first = words.front();
-    if (first == "--help" || first == "-h") {
+    if (first == "--help" || first == "-h" || (first == "help" && looksLikeCommand(first))) {
         std::fputs(help, stdout);
         return cli::done;
     }

@@ -9,7 +9,7 @@
 namespace bolster::cli {
 
 /// The last line on a terminal, from half a second on: what is done, and for how long. It goes with this; nothing
-/// else is to be printed meanwhile. Where stderr is no terminal there is none.
+/// else is to be printed meanwhile. Where stderr is no terminal, a line every half minute, which stays.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string doing);

@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 
@@ -78,6 +79,9 @@ AreaRow::AreaRow(const Parts& parts, QWidget* parent)
     row->setContentsMargins({});
     row->addWidget(m_only);
     row->addWidget(m_paint);
+    auto* radius = new QLabel(tr("Radius"), this);
+    radius->setBuddy(m_radius);
+    row->addWidget(radius);
     row->addWidget(m_radius);
     row->addWidget(m_clear);
     row->addStretch(1);

@@ -2,6 +2,7 @@
 
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "FitGoals.h"
 #include "FormChoice.h"
 #include "HeadedList.h"
 #include "PullNote.h"
@@ -257,7 +258,7 @@ void CauseWindow::rowChosen()
 /// What is said stays: it is of the piece, which was built from the design as it was.
 void CauseWindow::documentChanged()
 {
-    if (m_run->running() && !(m_document.committed() == m_start)) {
+    if (m_run->running() && !hasSameCover(m_document.committed(), m_start)) {
         stop();
         m_said->setText(tr("The design has changed meanwhile: look again."));
     }

@@ -154,6 +154,8 @@ QWidget* FitOrderPanel::buildLocks()
     m_lengths->setToolTip(
         tr("The sides of a seam keep their difference; if it is far from the seam's ease, it comes nearer to it"));
     m_straight = new QCheckBox(tr("St&raight edges"), box);
+    m_straight->setToolTip(tr("Edges that are straight within %1 stay so; those that only look straight may bend")
+                               .arg(lengthText(FitLocks::straightWithin, 2)));
     m_corners = new QCheckBox(tr("An&gles of corners"), box);
     m_lengths->setChecked(true);
     m_straight->setChecked(true);
@@ -201,7 +203,8 @@ FitOrder FitOrderPanel::order() const
     order.locks.corners = m_corners->isChecked();
     order.mostChange = m_most->value();
     order.goals.strain = m_strained->isChecked();
-    order.goals.limit = m_limit->value();
+    if (m_strained->isChecked()) // else those of the fabrics
+        order.goals.limit = m_limit->value();
     order.goals.keepShape = m_lies->isChecked() ? 0 : keptShape;
     if (m_area->wanted())
         order.goals.area.spots = m_area->spots();

@@ -174,7 +174,7 @@ void PatternFitWindow::stop()
     setRunning(false);
     if (m_reached.result.values.size() > 0 && !m_reached.result.values.isZero())
         show(std::move(m_reached), tr("Stopped. With all of the changes that were found until then:"),
-             std::nullopt);
+             std::nullopt); // found on few triangles, perhaps, on which covers are others
     else
         m_said->setText(tr("Stopped; nothing has changed."));
 }
@@ -194,9 +194,12 @@ void PatternFitWindow::showProgress(double share, const FitRound& round)
     m_reached.result.after = round.figures;
     if (m_sought.lies && round.few)
         m_said->setText(
-            tr("%1 from the form (rms), on few triangles at first").arg(lengthText(round.figures.distanceRms, 2)));
+            tr("%1 from the form (rms; before: %2), on few triangles at first")
+                .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2)));
     else if (m_sought.lies)
-        m_said->setText(tr("%1 from the form (rms)").arg(lengthText(round.figures.distanceRms, 2)));
+        m_said->setText(
+            tr("%1 from the form (rms; before: %2)")
+                .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2)));
     else if (m_sought.strained && round.few)
         m_said->setText(tr("%1 of the cover is over the limit (before: %2), on few triangles at first")
                             .arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
@@ -253,8 +256,9 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
     constexpr double notable = 0.005; // of the cover
     const bool inArea = !m_wanted.order.goals.area.patches.empty() || !m_wanted.order.goals.area.spots.empty();
     if (m_sought.strained || (now ? now->overLimit : result.after.overLimit) > before.overLimit + notable)
-        lines << (inArea ? tr("Strained over the limit: %1 of the painted area before, %2 now")
-                         : tr("Strained over the limit: %1 of the cover before, %2 now"))
+        lines << (!m_sought.strained ? tr("Strained over what the fabrics allow: %1 before, %2 now")
+                  : inArea           ? tr("Strained over the limit: %1 of the painted area before, %2 now")
+                                     : tr("Strained over the limit: %1 of the cover before, %2 now"))
                      .arg(percentText(before.overLimit), share(&FitFigures::overLimit));
     if (m_sought.lies && now && strainsForLittle(before, *now))
         lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
@@ -303,9 +307,14 @@ void PatternFitWindow::takePart(const PartFound& found)
         m_said->setText(tr("With what is shown of the changes the cover cannot be solved."));
         return;
     }
+    if (showsAll() && !m_whole && !found.figures->better) {
+        forget(tr("Stopped. What was found until then makes it no better: nothing has changed."));
+        return;
+    }
     m_found->result.before = found.figures->before;
     if (showsAll())
         m_whole = found.figures->after;
+    m_take->setEnabled(m_share->value() > 0);
     say(lead(), found.figures->after);
 }
 
@@ -361,6 +370,11 @@ Design PatternFitWindow::changedDesign() const
     for (std::size_t k = 0; k < m_found->freedoms.size(); ++k)
         if (!ticked.contains(m_found->freedoms[k].element))
             values[static_cast<Eigen::Index>(k)] = 0;
+    return designWith(values);
+}
+
+Design PatternFitWindow::designWith(const Eigen::VectorXd& values) const
+{
     const Design changed = withFreedoms(m_start, m_found->freedoms, values);
     return m_found->easeIsFree ? withEases(m_start, changed) : changed;
 }
@@ -371,9 +385,9 @@ void PatternFitWindow::preview()
         return;
     m_shareSaid->setText(percentText(m_share->value() / 100.0));
     sayMoves();
-    m_take->setEnabled(m_share->value() > 0);
     endMeasuring();
     const std::optional<FitFigures> known = showsAll() ? m_whole : std::nullopt;
+    m_take->setEnabled(m_share->value() > 0 && m_whole.has_value()); // what may be worse is not offered yet
     say(lead(), known);
     if (!known)
         m_slider.start();
@@ -383,7 +397,10 @@ void PatternFitWindow::preview()
     m_gesture->update(
         editBetween(m_start, changed, {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}}));
     const double pixel = 1 / m_pattern.navigation().transform().scale(); // mm
-    PatternArrows arrows = arrowsBetween(m_start, changed, arrowsApart * pixel, longestArrow * pixel);
+    const auto arrowsTo = [&](const Design& design, std::optional<double> longer) {
+        return arrowsBetween(m_start, design, arrowsApart * pixel, longestArrow * pixel, longer);
+    };
+    PatternArrows arrows = arrowsTo(changed, arrowsTo(designWith(m_found->result.values), {}).longer);
     m_arrowsSaid->setText(
         arrows.arrows.empty() ? QString()
         : arrows.longer > 1
@@ -399,7 +416,7 @@ void PatternFitWindow::commit()
     m_found.reset(); // what the commit makes of the design is no surprise
     m_gesture->commit();
     forget(tr("Taken. Undo takes it back."));
-    m_taken = true;
+    m_taken = m_document.committed();
 }
 
 /// Undo, Escape or another gesture has taken back what is shown.
@@ -422,7 +439,7 @@ void PatternFitWindow::previewEnded()
 void PatternFitWindow::forget(const QString& why)
 {
     m_found.reset();
-    m_taken = false;
+    m_taken.reset();
     m_gesture.reset();
     endMeasuring();
     m_pattern.showArrows({});
@@ -433,19 +450,36 @@ void PatternFitWindow::forget(const QString& why)
 /// Who works on meanwhile has another design.
 void PatternFitWindow::documentChanged()
 {
-    if (m_taken && m_document.committed() == m_start) {
-        m_taken = false;
-        m_said->setText(tr("Taken back."));
-    }
-    if (!m_found && !m_run->running())
+    const Design& now = m_document.committed();
+    if (m_taken && !m_run->running()) {
+        m_said->setText(now == *m_taken  ? tr("Taken. Undo takes it back.")
+                        : now == m_start ? tr("Taken back.")
+                                         : QString());
         return;
-    if (m_run->running() && !(m_document.committed() == m_start)) {
+    }
+    if ((!m_found && !m_run->running()) || now == m_start)
+        return;
+    if (hasSameCover(now, m_start)) {
+        m_start = now;
+        if (m_found)
+            showAgain();
+    } else if (m_run->running()) {
         m_reached = {};
         stop();
         m_said->setText(tr("The design has changed meanwhile: find the changes again."));
-    } else if (m_found && !(m_document.committed() == m_start)) {
+    } else {
         forget(tr("The design has changed meanwhile: find the changes again."));
     }
+}
+
+/// After what was shown had to be taken back.
+void PatternFitWindow::showAgain()
+{
+    {
+        const QSignalBlocker quiet(m_share);
+        m_share->setValue(m_share->maximum());
+    }
+    preview();
 }
 
 } // namespace bolster

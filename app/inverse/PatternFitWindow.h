@@ -59,6 +59,8 @@ private:
     void fillPatches();
     void sayMoves();
     Design changedDesign() const;
+    Design designWith(const Eigen::VectorXd& values) const;
+    void showAgain();
     void preview();
     void previewEnded();
     void commit();
@@ -84,7 +86,7 @@ private:
     std::optional<FitFound> m_found;
     QString m_lead; ///< to the figures of all that was found
     std::optional<FitFigures> m_whole;
-    bool m_taken = false;                 ///< until it is taken back, or something else is sought
+    std::optional<Design> m_taken;        ///< what the design has become, until something else is sought
     std::optional<Gesture> m_gesture;     ///< while changes are shown
     QTimer m_slider;                      ///< since something else is shown
     int m_part = 0;                       ///< number of what is shown

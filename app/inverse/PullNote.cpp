@@ -13,8 +13,6 @@ PullNote::PullNote(Document& document, QWidget* parent)
     setWordWrap(true);
     setTextFormat(Qt::RichText);
     setTextInteractionFlags(Qt::TextBrowserInteraction);
-    setText(tr("The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.") +
-            QStringLiteral(" <a href=\"off\">%1</a>").arg(tr("Show it without the pull")));
     connect(this, &QLabel::linkActivated, this, &PullNote::switchOff);
     connect(&m_document, &Document::changed, this, &PullNote::refresh);
     refresh();
@@ -23,7 +21,13 @@ PullNote::PullNote(Document& document, QWidget* parent)
 void PullNote::refresh()
 {
     const Design& design = m_document.committed();
-    setVisible(!(withoutPulls(design) == design));
+    const bool pulls = !(withoutPulls(design) == design);
+    m_pulled = m_pulled || pulls;
+    setText(
+        pulls ? tr("The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.") +
+                    QStringLiteral(" <a href=\"off\">%1</a>").arg(tr("Show it without the pull"))
+              : tr("No scan pulls at the cover any more. Undo lets it do so again."));
+    setVisible(m_pulled); // it keeps its place: what is below does not jump
 }
 
 void PullNote::switchOff()

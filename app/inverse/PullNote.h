@@ -8,7 +8,7 @@ namespace bolster {
 
 class Document;
 
-/// What a pattern has to be changed for, and by how much, its own cover says. Hidden while no scan pulls.
+/// What a pattern has to be changed for, and by how much, its own cover says. Hidden until a scan pulls.
 class PullNote : public QLabel {
     Q_OBJECT
 
@@ -20,6 +20,7 @@ private:
     void switchOff();
 
     Document& m_document;
+    bool m_pulled = false; ///< now or before
 };
 
 } // namespace bolster

@@ -4,6 +4,7 @@
 #include "CoverView.h"
 #include "DesignSession.h"
 #include "FabricFields.h"
+#include "FitGoals.h"
 #include "NumberBox.h"
 #include "PullNote.h"
 #include "RunRow.h"
@@ -270,7 +271,7 @@ void ReliefWindow::forget(const QString& why)
 /// Who works on meanwhile has another design.
 void ReliefWindow::documentChanged()
 {
-    if ((!m_found && !m_run->running()) || m_document.committed() == m_start)
+    if ((!m_found && !m_run->running()) || hasSameCover(m_document.committed(), m_start))
         return;
     if (m_run->running())
         stop();

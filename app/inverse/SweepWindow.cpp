@@ -2,6 +2,7 @@
 
 #include "DesignSession.h"
 #include "ElementText.h"
+#include "FitGoals.h"
 #include "HeadedList.h"
 #include "MapLink.h"
 #include "NumberBox.h"
@@ -371,7 +372,7 @@ void SweepWindow::forget(const QString& why)
 
 void SweepWindow::documentChanged()
 {
-    if ((!m_found && !m_run->running()) || m_document.committed() == m_start)
+    if ((!m_found && !m_run->running()) || hasSameCover(m_document.committed(), m_start))
         return;
     if (m_run->running())
         stop();

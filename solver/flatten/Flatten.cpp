@@ -23,7 +23,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
 constexpr double splinter = 0.02;           // of the mean area: what cuts have left of a triangle says nothing
 constexpr double mostStrain = 0.5;          // as in the sheet's local step
-constexpr double leastHeight = 0.005;       // of a triangle, of its longest edge: cuts leave ones without an area
+constexpr double leastHeight = 0.005;       // of a triangle, of its longest edge, to count in full
+constexpr double noHeight = 1e-6;           // likewise, to have a shape: cuts leave ones without an area
 constexpr double holding = 1e-9;            // of every vertex where it is, against cotangents
 
 /// A triangle of the form in its own plane.
@@ -31,11 +32,12 @@ struct Facet {
     std::array<int, 3> corners{};
     Mat23 gradient; ///< of the three hat functions, 1/mm
     double area = 0;
+    double weight = 0;                       ///< of its energy, mm^2
     Vec3 x = Vec3::Zero(), y = Vec3::Zero(); ///< of that plane
 };
 
-/// One that is as good as its longest edge is taken as a little higher: how it lies says nothing, and its weights
-/// would drown those of all others.
+/// One that is little more than its longest edge counts for less: its weights would drown those of all others, and
+/// of one without an area it is chance how it lies. The faces of CAD programs can consist of such triangles alone.
 Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const std::array<Vec3, 3> places{a, b, c};
@@ -47,12 +49,13 @@ Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, c
     if (!(longest > 0))
         return facet;
     const Vec3 x = edge(base) / longest, way = places[(base + 2) % 3] - places[base];
-    const double along = way.dot(x), height = std::max((way - along * x).norm(), leastHeight * longest);
+    const double along = way.dot(x), height = std::max((way - along * x).norm(), noHeight * longest);
     std::array<Vec2, 3> at;
     at[base] = Vec2(0, 0);
     at[(base + 1) % 3] = Vec2(longest, 0);
     at[(base + 2) % 3] = Vec2(along, height);
     facet.area = longest * height / 2;
+    facet.weight = facet.area * std::min(1.0, height / (leastHeight * longest));
     facet.x = x;
     facet.y = (way - along * x).normalized();
     for (int k = 0; k < 3; ++k) {
@@ -99,7 +102,7 @@ public:
         std::vector<Eigen::Triplet<double>> entries;
         const auto add = [&](int i, int j, double value) { entries.emplace_back(i, j, value); };
         for (const Facet& facet : m_facets) {
-            const Eigen::Matrix3d block = facet.area * facet.gradient.transpose() * facet.gradient;
+            const Eigen::Matrix3d block = facet.weight * facet.gradient.transpose() * facet.gradient;
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
                     add(facet.corners[i], facet.corners[j], block(i, j));
@@ -137,7 +140,7 @@ public:
         Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_count, 2);
         for (const Facet& facet : m_facets) {
             const Eigen::Matrix<double, 3, 2> pull =
-                facet.area * facet.gradient.transpose() * target(facet).transpose();
+                facet.weight * facet.gradient.transpose() * target(facet).transpose();
             for (int k = 0; k < 3; ++k)
                 right.row(facet.corners[k]) += pull.row(k);
         }
@@ -271,7 +274,7 @@ private:
         const double apart = (point(second) - point(first)).norm();
         for (Eigen::Index f = 0; f < std::ssize(m_facets); ++f) {
             const Facet& facet = m_facets[f];
-            const double root = std::sqrt(facet.area);
+            const double root = std::sqrt(facet.weight);
             for (int k = 0; k < 3; ++k) { // the map (u, v) keeps angles where grad v is grad u turned by 90 degrees
                 const Vec2 g = root * facet.gradient.col(k);
                 const int v = facet.corners[k];

@@ -504,7 +504,7 @@ private:
         }
         samples.end = at;
         FixationCurve curve;
-        curve.name = edits::freeName<FixationCurve>(m_builder.now(), piece(p).name);
+        curve.name = m_names.free(piece(p).name);
         curve.curve = fitCurve(samples, m_order.tolerance);
         FixationSeam fixation;
         fixation.stretch = stretchOf(p, r);
@@ -572,6 +572,7 @@ private:
     const FormPatternOrder& m_order;
     std::stop_token m_stop;
     edits::EditBuilder m_builder;
+    edits::Names<FixationCurve> m_names{Design()};
     FormPattern m_result;
     ElementId m_fabric = noElement;
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline

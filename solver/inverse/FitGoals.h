@@ -25,6 +25,8 @@ FitTarget targetOf(const Scan& scan, const PointCloud& cloud);
 
 /// No scan pulls at the cover of this one: it is the cover that the pattern alone makes, which goals are about.
 Design withoutPulls(const Design& design);
+/// They differ at most in what pulls.
+bool hasSameCover(const Design& a, const Design& b);
 
 /// A seam that shall run along a curve, mm.
 struct SeamGoal {
@@ -75,8 +77,9 @@ struct FitGoals {
 struct FitLocks {
     bool lengths =
         true; ///< sides of seams keep their difference; when that is far from their ease they come nearer to it
-    bool straight = true; ///< edges that are straight stay so
-    bool corners = false; ///< keep their angles
+    bool straight = true;                          ///< edges that are straight, within straightWithin, stay so
+    static constexpr double straightWithin = 0.05; ///< mm
+    bool corners = false;                          ///< keep their angles
     bool ease = true; ///< eases stay; else sides of seams may differ as they like, and eases become what they are
     double change = 0.005; ///< weight of 1 mm that a control point moves
 };

@@ -13,6 +13,7 @@ namespace bolster {
 namespace {
 
 constexpr double mmOfStrain = 100;  // 1 % over the limit counts like 1 mm
+constexpr double shyOfStrain = 1;   // weight of what the fabrics do not allow, where strain is no goal
 constexpr double belowLimit = 0.85; // of it: what is just below it would be over it with the next change
 constexpr double meantEase =
     0.005;                       // of the length: sides that differ by more from their ease shall come nearer to it
@@ -20,13 +21,12 @@ constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
 constexpr double wantedLength = 0.3;
 constexpr double freeLength = 0.02;
 constexpr double straightWeight = 2;
-constexpr double cornerWeight = 50;     // mm: of a radian
-constexpr double straightWithin = 0.05; // mm
-constexpr double farthest = 60;         // mm: what is farther from the target does not belong to it
-constexpr double mostPoints = 1e6;      // of a target
-constexpr double mostPressed = 1;       // %: of cloth that lies smooth
-constexpr double smoothWeight = 3;      // 1 % pressed together is as bad as so many mm
-constexpr double sizeWeight = 8;        // 1 % of a patch's width is as bad as so many mm
+constexpr double cornerWeight = 50; // mm: of a radian
+constexpr double farthest = 60;     // mm: what is farther from the target does not belong to it
+constexpr double mostPoints = 1e6;  // of a target
+constexpr double mostPressed = 1;   // %: of cloth that lies smooth
+constexpr double smoothWeight = 3;  // 1 % pressed together is as bad as so many mm
+constexpr double sizeWeight = 8;    // 1 % of a patch's width is as bad as so many mm
 
 /// Control points of a straight edge, its ends included.
 std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
@@ -49,7 +49,7 @@ std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
             const Vec2 at = outline.points()[i] - from;
             return way.norm() > 0 ? std::abs(way.x() * at.y() - way.y() * at.x()) / way.norm() : at.norm();
         };
-        if (edge.size() > 2 && std::ranges::all_of(edge, [&](int i) { return off(i) < straightWithin; }))
+        if (edge.size() > 2 && std::ranges::all_of(edge, [&](int i) { return off(i) < FitLocks::straightWithin; }))
             edges.push_back(std::move(edge));
     }
     return edges;
@@ -164,6 +164,11 @@ Design withoutPulls(const Design& design)
     return result;
 }
 
+bool hasSameCover(const Design& a, const Design& b)
+{
+    return a == b || withoutPulls(a) == withoutPulls(b);
+}
+
 bool FitArea::hasAny(ElementId patch) const
 {
     return hasWhole(patch) || std::ranges::find(spots, patch, &AreaSpot::patch) != spots.end();
@@ -233,6 +238,7 @@ void FitRows::keep(const WarmCover& cover)
     mesh.points = vertexPlaces(cover);
     mesh.triangles = cover.mesh().topology->triangles;
     m_kept = targetOf(mesh);
+    m_unwanted = unwantedStrain(*cover.mesh().topology, mesh.points);
 }
 
 void FitRows::addStrain(const SurfaceTopology& topology, const std::vector<Vec3>& places,
@@ -246,6 +252,40 @@ void FitRows::addStrain(const SurfaceTopology& topology, const std::vector<Vec3>
             rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, found.strains(k, t)) *
                            std::sqrt(found.areas[t] / all));
         }
+}
+
+/// How much each patch is strained over what its fabric allows: root of the share that is its of the mean square
+/// over the cover, 1. Of every fourth triangle: it is a mean, and is asked for as often as there are freedoms.
+std::vector<double> FitRows::unwantedStrain(const SurfaceTopology& topology, const std::vector<Vec3>& places) const
+{
+    constexpr std::uint32_t apart = 4;
+    std::vector<std::uint32_t> triangles;
+    std::vector<Eigen::Index> ends;
+    for (const SurfaceTopology::PatchRange& range : topology.patches) {
+        for (std::uint32_t t = 0; m_design.find<Patch>(range.patch) && t < range.triangleCount; t += apart)
+            triangles.push_back(range.firstTriangle + t);
+        ends.push_back(std::ssize(triangles));
+    }
+    const CoverStrains found = coverStrains(topology, places, m_design, std::nullopt, triangles);
+    const Eigen::Array3Xd over = (found.strains.array().abs() - found.limits.array()).max(0);
+    const Eigen::VectorXd squares = over.square().colwise().sum().transpose().matrix().cwiseProduct(found.areas);
+    std::vector<double> ofPatch;
+    Eigen::Index first = 0;
+    for (const Eigen::Index end : ends) {
+        ofPatch.push_back(std::sqrt(squares.segment(first, end - first).sum() / found.areas.sum()));
+        first = end;
+    }
+    return ofPatch;
+}
+
+/// A form is not worth any strain: no patch shall be strained over its fabric's limits by more than it was.
+void FitRows::addShyness(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                         std::vector<double>& rows) const
+{
+    const std::vector<double> now = unwantedStrain(topology, places);
+    for (std::size_t k = 0; k < now.size(); ++k)
+        rows.push_back(shyOfStrain * mmOfStrain *
+                       std::max(0.0, now[k] - (k < m_unwanted.size() ? m_unwanted[k] : 0)));
 }
 
 void FitRows::addSmooth(const SurfaceTopology& topology, const std::vector<Vec3>& places,
@@ -316,6 +356,8 @@ Eigen::VectorXd FitRows::rows(const SurfaceTopology& topology, const std::vector
         rows.push_back(aim.weight * (aim.normal.dot(places[aim.vertex]) - aim.height));
     if (m_goals.strain)
         addStrain(topology, places, rows);
+    else if (!m_goals.target.empty())
+        addShyness(topology, places, rows);
     if (!m_goals.smooth.empty())
         addSmooth(topology, places, rows);
     m_seams.add(places, rows);

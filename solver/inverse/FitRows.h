@@ -49,6 +49,9 @@ private:
     void addAims(const WarmCover& cover, const FitTarget& target, double weight, bool everywhere);
     void addStrain(const SurfaceTopology& topology, const std::vector<Vec3>& places,
                    std::vector<double>& rows) const;
+    std::vector<double> unwantedStrain(const SurfaceTopology& topology, const std::vector<Vec3>& places) const;
+    void addShyness(const SurfaceTopology& topology, const std::vector<Vec3>& places,
+                    std::vector<double>& rows) const;
     void addSmooth(const SurfaceTopology& topology, const std::vector<Vec3>& places,
                    std::vector<double>& rows) const;
     void addSizes(const Design& design, std::vector<double>& rows) const;
@@ -63,6 +66,7 @@ private:
     std::vector<Aim> m_aims;
     std::vector<std::uint32_t> m_strained, m_smoothed; // triangles of these goals
     FitTarget m_kept;
+    std::vector<double> m_unwanted; // of each patch of the cover that was kept
     SeamLineRows m_seams;
 };
 

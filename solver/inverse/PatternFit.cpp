@@ -621,12 +621,16 @@ std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOr
     if (!before.hasHome())
         return std::nullopt;
     rows.keep(before);
-    MeasuredChange measured{rows.figures(before, input.design), {}};
+    MeasuredChange measured;
+    measured.before = rows.figures(before, input.design);
+    rows.aim(before);
+    const double cost = rows.rows(before, input.design).squaredNorm();
     const WarmCover cover(SolveInput(changed, input.files), warm, stop);
     if (!cover.hasHome())
         return std::nullopt;
     rows.aim(cover);
     measured.after = rows.figures(cover, changed);
+    measured.better = rows.rows(cover, changed).squaredNorm() < cost;
     return measured;
 }
 

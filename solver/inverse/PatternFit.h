@@ -60,6 +60,7 @@ FitResult fitPattern(const SolveInput& input, const FitOrder& order,
 
 struct MeasuredChange {
     FitFigures before, after;
+    bool better = false; ///< all goals together
 };
 
 /// What another change of the same pattern comes to, on the same last triangles. Nothing when its cover cannot be

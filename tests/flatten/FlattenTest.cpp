@@ -64,6 +64,26 @@ TEST(Flatten, GrainRunsAsAsked)
         << "between: sideways is seen shorter by 2 to pi";
 }
 
+/// As CAD programs give round faces: all triangles have a corner at one place of the border, and most are needles.
+TEST(Flatten, ADiscOfNeedlesIsADisc)
+{
+    constexpr int corners = 1500;
+    TriangleMesh disc;
+    for (int k = 0; k < corners; ++k)
+        disc.points.emplace_back(300 * std::cos(2 * pi * k / corners), 300 * std::sin(2 * pi * k / corners), 0);
+    for (std::uint32_t k = 1; k + 1 < corners; ++k)
+        disc.triangles.push_back({0, k, k + 1});
+    const std::vector<FlatPiece> flat = flatten(cutForm(disc, {}), {});
+    ASSERT_EQ(flat.size(), 1u);
+    EXPECT_NEAR(flat[0].area, pi * 300 * 300, 10);
+    EXPECT_LT(flat[0].strainMost, 1e-3);
+    Box2 box;
+    for (const Vec2& at : flat[0].at)
+        box.extend(at);
+    EXPECT_NEAR(box.sizes().x(), 600, 0.5);
+    EXPECT_NEAR(box.sizes().y(), 600, 0.5);
+}
+
 TEST(Flatten, HalfAPipeIsARectangle)
 {
     const Form form = cutForm(halfPipe(100, 200), {});

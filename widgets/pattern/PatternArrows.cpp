@@ -21,7 +21,8 @@ constexpr std::array factors{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
 
 } // namespace
 
-PatternArrows arrowsBetween(const Design& before, const Design& after, double apart, double longest)
+PatternArrows arrowsBetween(const Design& before, const Design& after, double apart, double longest,
+                            std::optional<double> longer)
 {
     PatternArrows result;
     double most = 0;
@@ -43,6 +44,8 @@ PatternArrows arrowsBetween(const Design& before, const Design& after, double ap
     for (const double factor : factors)
         if (factor * most <= longest)
             result.longer = factor;
+    if (longer)
+        result.longer = *longer;
     for (PatternArrow& arrow : result.arrows)
         arrow.to = arrow.from + result.longer * (arrow.to - arrow.from);
     return result;

@@ -4,6 +4,7 @@
 #include "Design.h"
 #include "PatternTransform.h"
 
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -22,8 +23,9 @@ struct PatternArrows {
 };
 
 /// Along all outlines that differ, about every `apart` mm; so much longer than the way that they can be seen, but
-/// no longer than `longest` mm.
-PatternArrows arrowsBetween(const Design& before, const Design& after, double apart, double longest);
+/// no longer than `longest` mm; with `longer` as said, so that arrows of parts of a change can be compared.
+PatternArrows arrowsBetween(const Design& before, const Design& after, double apart, double longest,
+                            std::optional<double> longer = {});
 
 void paintArrows(QPainter& painter, const PatternArrows& arrows, const PatternTransform& transform,
                  const ViewColors& colors);

@@ -5,7 +5,10 @@
 #include "TemporaryFile.h"
 #include "WholeFile.h"
 
+#include <QDir>
 #include <QFileInfo>
+
+#include <set>
 
 namespace bolster::cli {
 
@@ -22,6 +25,30 @@ void expectDistinct(const QStringList& inputs, const QStringList& outputs)
             throw UsageError("\"" + output.toStdString() + "\" is read, or written twice: choose another name");
         taken << fileKey(output);
     }
+}
+
+bool isThere(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.exists() || file.isSymLink();
+}
+
+void sayOfFiles(const Design& design, const QString& readFrom, const QString& written)
+{
+    const QDir from = QFileInfo(readFrom).absoluteDir(), to = QFileInfo(written).absoluteDir();
+    if (from.canonicalPath() == to.canonicalPath())
+        return;
+    std::set<std::string> missing;
+    for (const auto& [id, element] : design.elements())
+        if (const std::string* file = elementFile(*element); file && !to.exists(QString::fromStdString(*file)))
+            missing.insert(*file);
+    if (missing.empty())
+        return;
+    std::string names;
+    for (const std::string& name : missing)
+        names += (names.empty() ? "" : ", ") + name;
+    printError("warning: the design names files that are not beside it now: copy " + names + " from " +
+               from.path().toStdString() + " to " + to.path().toStdString());
 }
 
 namespace {

@@ -1,6 +1,8 @@
 // Outputs that are neither inputs nor each other, and how texts become them.
 #pragma once
 
+#include "Design.h"
+
 #include <QStringList>
 
 #include <string>
@@ -10,6 +12,11 @@ namespace bolster::cli {
 /// Throws UsageError when two of these outputs are one file, or when one of them is an input, also through links.
 /// Empty paths are none.
 void expectDistinct(const QStringList& inputs, const QStringList& outputs);
+
+/// Also a link that leads nowhere: what is written would come to be elsewhere.
+bool isThere(const QString& path);
+/// When a design is written into another folder than that it was read from: that its files have to follow it.
+void sayOfFiles(const Design& design, const QString& readFrom, const QString& written);
 
 /// Whole or not at all, with a line that says which. False when it cannot be written.
 bool writeAndSay(const QString& path, const std::string& text);

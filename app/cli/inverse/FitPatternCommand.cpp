@@ -392,7 +392,7 @@ int fitPattern(std::span<const std::string> words)
     const QString out = arguments.path("--out"), report = arguments.path("--report");
     if (out.isEmpty())
         throw UsageError("where to? --out DESIGN.json");
-    if (QFileInfo::exists(out)) {
+    if (isThere(out)) {
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
@@ -432,6 +432,7 @@ int fitPattern(std::span<const std::string> words)
         if (!file.isEmpty() && !(isReport ? writeAndSay(file, text) : writeNewAndSay(file, text)))
             return otherFailure;
     }
+    sayOfFiles(result.design, path, out);
     return done;
 }
 

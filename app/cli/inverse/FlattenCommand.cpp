@@ -180,7 +180,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& argument
     read.failure = badInput;
     printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
     if (!arguments.has("--by") && !arguments.has("--along"))
-        printError("(--by angle:DEG cuts where it bends by more than DEG degrees, --along LINES where you say)");
+        printError("(--by angle:DEG cuts where it bends by more than DEG degrees, --along DESIGN along its "
+                   "fixation curves)");
     return read;
 }
 
@@ -261,7 +262,7 @@ int flattenForm(std::span<const std::string> words)
     expectDistinct({surface, arguments.path("--along")}, {out, report});
     if (!canBeWritten({out, report}))
         return otherFailure;
-    if (QFileInfo::exists(out)) {
+    if (isThere(out)) {
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }

@@ -47,6 +47,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double farOff = 0.3; // of the excess
+
 constexpr std::array relieveRules = {OptionRule{"--limit", true},   OptionRule{"--max-change", true},
                                      OptionRule{"--solve", true},   OptionRule{"--edge", true},
                                      OptionRule{"--out-dir", true}, OptionRule{"--threads", true},
@@ -80,14 +82,20 @@ void printReliefs(const ReliefList& list)
     if (list.reliefs.empty())
         printResult(list.now.area > 0 ? "no change relieves it" : "there is nothing to relieve");
     int place = 0;
+    bool missed = false;
     for (const Relief& relief : list.reliefs) {
         if (!relief.solved)
             break;
+        missed = missed || std::abs(relief.solved->energy - relief.predicted) > farOff;
         printResult(std::to_string(++place) + ". " + relief.text.english() + ": " +
                     gainText(relief.solved->energy) + " excess (" + gainText(relief.predicted) + " predicted), " +
                     gainText(relief.solved->area) + " area over the limit; sewn " + numberText(relief.sewn, 3) +
                     " mm, outlines " + numberText(relief.moved, 3) + " mm");
     }
+    if (missed)
+        printError(
+            "warning: solved covers are not as predicted (longer edges are less sure): better changes may be "
+            "missing");
 }
 
 Json reliefReport(const ReliefList& list)
@@ -151,7 +159,7 @@ int relieve(std::span<const std::string> words)
         return otherFailure;
     const ReliefOrder order = reliefOrder(arguments);
     for (int place = 1; arguments.has("--out-dir") && place <= order.solved; ++place)
-        if (const QString file = reliefFile(arguments, place); QFile::exists(file))
+        if (const QString file = reliefFile(arguments, place); isThere(file))
             return relieveFailed("\"" + file.toStdString() + "\" is there already; choose another folder");
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
@@ -174,7 +182,10 @@ int relieve(std::span<const std::string> words)
         return relieveFailed(list.problem.english());
     printReliefs(list);
     interrupt.beginWriting();
-    return writeReliefs(arguments, opened.design, list);
+    const int outcome = writeReliefs(arguments, opened.design, list);
+    if (outcome == done && arguments.has("--out-dir"))
+        sayOfFiles(opened.design, path, reliefFile(arguments, 1));
+    return outcome;
 }
 
 } // namespace bolster::cli

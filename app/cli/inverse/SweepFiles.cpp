@@ -33,9 +33,10 @@ constexpr std::int64_t largestSpec = 1 << 20;
 
 double positive(const Json& value, const std::string& where)
 {
+    constexpr double least = 1e-4; // below that derivatives are noise
     const double number = value.is_number() ? value.get<double>() : -1;
-    if (!(number > 0 && number < 1e6))
-        refuse(where, "a number above 0 and below 1000000 is expected");
+    if (!(number >= least && number < 1e6))
+        refuse(where, "a number from 0.0001 to 1000000 is expected");
     return number;
 }
 
@@ -57,9 +58,10 @@ void addField(const Json& entry, const std::string& where, const Design& design,
     if (!numberAt(*element, field))
         refuse(where, "element " + std::to_string(number(id)) + " has no number \"" + field + "\"");
     Freedom freedom{.kind = Freedom::Kind::Number, .element = id, .field = field};
-    tolerances.all.push_back({{std::move(freedom)},
-                              positive(entry["by"], where + ".by"),
-                              field + " of element " + std::to_string(number(id))});
+    std::string name = field + " of element " + std::to_string(number(id));
+    if (std::ranges::find(tolerances.all, name, &Tolerance::name) != tolerances.all.end())
+        refuse(where, "the " + name + " stands there twice");
+    tolerances.all.push_back({{std::move(freedom)}, positive(entry["by"], where + ".by"), std::move(name)});
 }
 
 void addTolerances(const Json& asked, const Design& design, Tolerances& tolerances)
