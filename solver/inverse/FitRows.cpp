@@ -13,6 +13,7 @@ namespace bolster {
 namespace {
 
 constexpr double mmOfStrain = 100;  // 1 % over the limit counts like 1 mm
+constexpr double forgiven = 0.003;  // more of that than before, root of the mean over the cover, 1
 constexpr double shyOfStrain = 1;   // weight of what the fabrics do not allow, where strain is no goal
 constexpr double belowLimit = 0.85; // of it: what is just below it would be over it with the next change
 constexpr double meantEase =
@@ -285,7 +286,7 @@ void FitRows::addShyness(const SurfaceTopology& topology, const std::vector<Vec3
     const std::vector<double> now = unwantedStrain(topology, places);
     for (std::size_t k = 0; k < now.size(); ++k)
         rows.push_back(shyOfStrain * mmOfStrain *
-                       std::max(0.0, now[k] - (k < m_unwanted.size() ? m_unwanted[k] : 0)));
+                       std::max(0.0, now[k] - forgiven - (k < m_unwanted.size() ? m_unwanted[k] : 0)));
 }
 
 void FitRows::addSmooth(const SurfaceTopology& topology, const std::vector<Vec3>& places,

@@ -37,9 +37,13 @@ TEST(StatusLineTest, WhatACommandSaysStays)
 class FindingsTest : public WindowTest {
 protected:
     StatusLine::Mood mood() { return window.statusLine().mood(); }
+    /// And seen, with the stitches and the piping of its seams.
     bool waitUntilKnown()
     {
-        return waitUntilAtRest() && QTest::qWaitFor([&] { return window.findings().known() && isSeen(); }, 60000);
+        return waitUntilAtRest() &&
+               QTest::qWaitFor(
+                   [&] { return window.findings().known() && isSeen() && mood() != StatusLine::Mood::Busy; },
+                   60000);
     }
     bool isSeen() { return window.coverView().pictures(window.solver().surface()); }
     QToolButton* button() { return window.statusLine().findChild<QToolButton*>(QStringLiteral("show-finding")); }

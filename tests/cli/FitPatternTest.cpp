@@ -3,6 +3,8 @@
 #include "ProgramRun.h"
 #include "TestPaths.h"
 
+#include <QDir>
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -62,6 +64,27 @@ TEST_F(FitPattern, ComesNearerToAForm)
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_NE(again.err.find("is there already"), std::string::npos) << again.err;
     EXPECT_EQ(read("fitted.json"), kept);
+    ASSERT_TRUE(QFile::link(path("nowhere.json"), path("link.json")));
+    EXPECT_EQ(fit({"--to", path("form.obj"), "--out", path("link.json")}).exitCode, 1);
+    EXPECT_FALSE(QFile::exists(path("nowhere.json")));
+}
+
+TEST_F(FitPattern, SaysWhichFilesAreMissingWhereItWrites)
+{
+    ASSERT_EQ(callCommandLine({"solve", path("right.json"), "--obj", path("form.obj")}).exitCode, 0);
+    Json withFrame = wrong;
+    withFrame["elements"].push_back({{"id", 900}, {"kind", "frame"}, {"name", "Box"}, {"file", "form.obj"}});
+    write("framed.json", withFrame.dump());
+    ASSERT_TRUE(QDir(path("")).mkdir("elsewhere"));
+    const auto fitTo = [&](const QString& out) {
+        return callCommandLine(
+            {"fit-pattern", path("framed.json"), "--to", "size:Top=99%", "--out", path(out), "--threads", "2"});
+    };
+    const ProgramRun beside = fitTo("beside.json"), away = fitTo("elsewhere/away.json");
+    ASSERT_EQ(beside.exitCode, 0) << beside.err;
+    ASSERT_EQ(away.exitCode, 0) << away.err;
+    EXPECT_EQ(beside.err.find("form.obj"), std::string::npos) << beside.err;
+    EXPECT_NE(away.err.find("copy form.obj from"), std::string::npos) << away.err;
 }
 
 TEST_F(FitPattern, RefusesWordsThatItDoesNotKnow)

@@ -174,6 +174,7 @@ TEST_F(SweepCommand, SaysWhatIsWrongWithASpec)
     expectRefused(R"({"tolerances": {"cut_mm": 1}, "sead": 1})", "sead: unknown");
     expectRefused(R"({"tolerances": {"cut_mm": -1}})", "tolerances.cut_mm: a number above 0");
     expectRefused(R"({"tolerances": {"cut_mm": 0}})", "tolerances.cut_mm");
+    expectRefused(R"({"tolerances": {"cut_mm": 1e-300}})", "tolerances.cut_mm: a number above 0 (at least");
     expectRefused(R"({"tolerances": {"cut_mm": "1"}})", "tolerances.cut_mm");
     expectRefused(R"({"tolerances": {"cut_mm": 1e99}})", "tolerances.cut_mm");
     expectRefused(R"({"tolerances": {"cut_mm": 1}, "seed": -1})", "seed");
@@ -196,6 +197,9 @@ TEST_F(SweepCommand, SaysWhatIsWrongWithAField)
     expectRefused(field(R"({"element": 2, "field": "pressure", "by": 0.1},
                            {"element": 2, "field": "pressure", "by": 0.1, "percent": true})"),
                   "tolerances.fields[1].percent: unknown");
+    expectRefused(field(R"({"element": 2, "field": "pressure", "by": 0.1},
+                           {"element": 2, "field": "pressure", "by": 0.2})"),
+                  "tolerances.fields[1]: the pressure of element 2 stands there twice");
     write("spec.json", field(R"({"element": 2, "field": "pressure", "by": 0.05})"));
     EXPECT_EQ(sweep("out", {"--samples", "1"}).exitCode, 2) << "--samples twice";
     const ProgramRun run = sweep("out");

@@ -36,7 +36,7 @@ double positive(const Json& value, const std::string& where)
     constexpr double least = 1e-4; // below that derivatives are noise
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number >= least && number < 1e6))
-        refuse(where, "a number from 0.0001 to 1000000 is expected");
+        refuse(where, "a number above 0 (at least 0.0001) and below 1000000 is expected");
     return number;
 }
 
