@@ -100,6 +100,21 @@ protected:
         FAIL() << "no button " << text.toStdString();
     }
 
+    PatternFitWindow* openFit()
+    {
+        designer.choose({"Pattern", "Fit to a goal"});
+        return window.findChild<PatternFitWindow*>();
+    }
+
+    /// One step leads back to this design.
+    void expectUndone(QWidget& dialog, const Design& before)
+    {
+        dialog.close();
+        takeKeyboard();
+        designer.key(Qt::Key_Z, Qt::ControlModifier);
+        EXPECT_EQ(writeDesign(design()), writeDesign(before));
+    }
+
     /// A box cushion with pieces that are too large, beside a scan of one that is right.
     void openLargeCushion(bool pulls = false)
     {
@@ -283,8 +298,7 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     openLargeCushion();
     const Design before = design();
 
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
     QTest::keyClick(dialog, Qt::Key_Return);
@@ -344,10 +358,7 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     EXPECT_LT(most, 1e-6) << "the cover that was seen is the one that was taken";
     EXPECT_TRUE(outlineNow(left) == before.find<Patch>(left)->outline);
     EXPECT_LT((outlineNow(taken).points()[0] - half).norm(), 1e-9);
-    dialog->close();
-    takeKeyboard();
-    designer.key(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+    expectUndone(*dialog, before);
 }
 
 TEST_F(BothWaysTest, AScanThatPullsAtTheCoverIsSaidAndSwitchedOff)
@@ -359,8 +370,7 @@ TEST_F(BothWaysTest, AScanThatPullsAtTheCoverIsSaidAndSwitchedOff)
         design().each<Scan>([&](ElementId, const Scan& scan) { any = any || scan.enabled; });
         return any;
     };
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     auto* note = dialog->findChild<QLabel*>("pull-note");
     ASSERT_TRUE(note);
@@ -372,17 +382,13 @@ TEST_F(BothWaysTest, AScanThatPullsAtTheCoverIsSaidAndSwitchedOff)
     EXPECT_FALSE(pulls());
     EXPECT_TRUE(note->isVisible());
     EXPECT_FALSE(note->text().contains("<a ")) << note->text().toStdString();
-    dialog->close();
-    takeKeyboard();
-    designer.key(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+    expectUndone(*dialog, before);
 }
 
 TEST_F(BothWaysTest, WhatWasFoundStaysWhenAScanPullsNoLonger)
 {
     openLargeCushion(true);
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
     QTest::keyClick(dialog, Qt::Key_Return);
@@ -416,8 +422,7 @@ TEST_F(BothWaysTest, StoppedItShowsTheBestThatWasFound)
 {
     openLargeCushion();
     const Design before = design();
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
     QTest::keyClick(dialog, Qt::Key_Return);
@@ -449,8 +454,7 @@ TEST_F(BothWaysTest, AnEditMeanwhileEndsTheSearchAndNothingIsLost)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     ASSERT_TRUE(waitUntilAtRest());
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
     QTest::keyClick(dialog, Qt::Key_Return); // strain: there is no scan
@@ -468,8 +472,7 @@ TEST_F(BothWaysTest, TheWindowCanBeClosedWhileAChangeIsShown)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     ASSERT_TRUE(waitUntilAtRest());
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
     for (auto* box : dialog->findChildren<NumberBox*>())
@@ -485,8 +488,7 @@ TEST_F(BothWaysTest, AnAreaIsPaintedOnTheCover)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     ASSERT_TRUE(waitUntilAtRest());
-    designer.choose({"Pattern", "Fit to a goal"});
-    auto* dialog = window.findChild<PatternFitWindow*>();
+    auto* dialog = openFit();
     ASSERT_TRUE(dialog);
     auto* area = dialog->findChild<AreaRow*>();
     ASSERT_TRUE(area);
@@ -599,10 +601,7 @@ TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
     EXPECT_EQ(window.document().history().count(), steps + 1);
     EXPECT_EQ(writeDesign(design()), writeDesign(wanted));
     EXPECT_EQ(dialog->found(), nullptr) << "what was proposed is of another design";
-    dialog->close();
-    takeKeyboard();
-    designer.key(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+    expectUndone(*dialog, before);
 }
 
 TEST_F(BothWaysTest, TheCauseOfAScannedPieceIsNamed)
