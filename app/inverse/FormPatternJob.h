@@ -23,6 +23,7 @@ struct FormWanted {
     std::optional<Frame> frame = {};          ///< the mesh is of, as it stands
     QString cadFile = {};                     ///< at the edges of whose faces the form is cut, too; "": of none
     FormCuts cuts;
+    bool divide = false; ///< it is cut wherever it would not lie flat, too, but for drafts
     FormPatternOrder order;
     bool draft = false; ///< something moves: nearly right, soon
 };

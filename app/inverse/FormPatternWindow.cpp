@@ -5,6 +5,7 @@
 #include "CopyPaste.h"
 #include "DesignJson.h"
 #include "DesignSession.h"
+#include "Division.h"
 #include "ElementText.h"
 #include "FileFormats.h"
 #include "FlatPiecesView.h"
@@ -61,11 +62,6 @@ std::shared_ptr<const TriangleMesh> meshOf(const SurfaceMesh& surface, const Des
         mesh->parts.push_back({patch ? patch->name : std::string(), range.firstTriangle, range.triangleCount});
     }
     return mesh;
-}
-
-double limitOf(const Fabric& fabric)
-{
-    return std::min(fabric.limits.along, fabric.limits.across) / 100;
 }
 
 } // namespace
@@ -183,6 +179,11 @@ QWidget* FormPatternWindow::buildWishes()
     connect(m_groups, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_faces, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_bends, &QCheckBox::toggled, this, [this] { ask(false); });
+    m_divide = new QCheckBox(tr("where it would not lie &flat"), wishes);
+    m_divide->setToolTip(
+        tr("Pieces that would lie over themselves, or be strained by more than the fabric may be, are "
+           "divided where they bend most or are narrow. Takes up to a minute for a whole armchair"));
+    connect(m_divide, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_angle, &NumberBox::entered, this, [this] {
         if (m_bends->isChecked())
             ask(false);
@@ -209,6 +210,7 @@ QWidget* FormPatternWindow::buildWishes()
     rows->addWidget(m_groups);
     rows->addWidget(m_faces);
     rows->addLayout(bend);
+    rows->addWidget(m_divide);
     rows->addWidget(new QLabel(tr("and along the ticked lines:"), wishes));
     rows->addWidget(m_lines, 1);
     return wishes;
@@ -404,6 +406,7 @@ void FormPatternWindow::ask(bool draft)
     if (m_bends->isChecked())
         wanted.cuts.angle = m_angle->value();
     wanted.cuts.lines = chosenLines();
+    wanted.divide = m_divide->isChecked();
     wanted.order.fabric = fabric();
     wanted.order.grain = grain();
     wanted.order.edgeLength = m_document.design().settings().edgeLength;
@@ -436,7 +439,7 @@ void FormPatternWindow::stop()
 void FormPatternWindow::clear()
 {
     m_made.reset();
-    m_view->show(nullptr, limitOf(fabric()));
+    m_view->show(nullptr, bearableStrain(fabric()));
 }
 
 void FormPatternWindow::take(FormMade made)
@@ -448,7 +451,7 @@ void FormPatternWindow::take(FormMade made)
     if (newest && !made.draft)
         setRunning(false);
     m_made = std::make_shared<FormMade>(std::move(made));
-    m_view->show(m_made->problem.empty() ? m_made : nullptr, limitOf(fabric()));
+    m_view->show(m_made->problem.empty() ? m_made : nullptr, bearableStrain(fabric()));
     const auto leftOut = std::ranges::count(m_made->pattern.patches, noElement);
     const bool whole = leftOut == 0;
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
@@ -460,8 +463,8 @@ void FormPatternWindow::say()
 {
     if (!m_made->problem.empty()) {
         QStringList lines{asSentence(translated(m_made->problem))};
-        if (!m_bends->isChecked() && !m_made->form.problem.empty()) // it was read, and cannot be cut
-            lines << tr("A mark at \"where it bends by more than\" cuts it there, too.");
+        if (!m_divide->isChecked() && !m_made->form.refused.empty())
+            lines << tr("A mark at \"where it would not lie flat\" divides it.");
         for (const Message& note : m_made->form.notes)
             lines << translated(note);
         m_said->setText(lines.join('\n'));
@@ -484,7 +487,7 @@ void FormPatternWindow::say()
             most = m_made->flat[p].strainRms;
             where = m_made->form.pieces[p].name;
         }
-        over += m_made->flat[p].strainP99 > limitOf(fabric());
+        over += m_made->flat[p].strainP99 > bearableStrain(fabric());
     }
     for (const FormSeam& seam : m_made->pattern.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
@@ -507,6 +510,8 @@ void FormPatternWindow::say()
         lines << tr("%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut "
                     "them in there.",
                     nullptr, over);
+    if (!m_divide->isChecked() && (over > 0 || !notes.empty()))
+        lines << tr("A mark at \"where it would not lie flat\" finds where to divide them.");
     for (const Message& note : m_made->form.notes)
         lines << translated(note);
     m_said->setText(lines.join('\n'));

@@ -72,7 +72,7 @@ private:
     SolverLink& m_solver;
     QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
     QString m_file;
-    QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr;
+    QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr;
     NumberBox* m_angle = nullptr;
     QTreeWidget* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;

@@ -21,11 +21,12 @@ namespace {
 using Corners = WeldedForm::Corners;
 using Edge = std::pair<int, int>; // of points, the lesser one first
 
-constexpr int samplesOfSpan = 8;   // of a curve
-constexpr double leastPiece = 25;  // mm^2: what lines cut off besides is no piece
-constexpr double leastWidth = 0.5; // mm
-constexpr int mostDissolving = 50; // rounds
-constexpr int mostCutsOpen = 200;  // of rings; more holes than that nobody wants to sew up
+constexpr int samplesOfSpan = 8;                             // of a curve
+constexpr double leastPiece = 25;                            // mm^2: what lines cut off besides is no piece
+constexpr double leastFacet = 1000, leastFacetShare = 0.005; // mm^2, and of the form: what bends cut off is none
+constexpr double leastWidth = 0.5;                           // mm
+constexpr int mostDissolving = 50;                           // rounds
+constexpr int mostCutsOpen = 200; // of rings; more holes than that nobody wants to sew up
 
 class Cutter {
 public:
@@ -51,10 +52,11 @@ public:
             if (!m_form.problem.empty() || !cutRingsOpen(round))
                 break;
         }
+        giveNames();
+        if (!m_form.refused.empty())
+            m_form.undivided = m_form.pieces;
         if (m_stop.stop_requested() || !m_form.problem.empty())
             m_form.pieces.clear();
-        else
-            giveNames();
         m_form.points = std::move(m_welded.points);
         findRows(m_form);
         return std::move(m_form);
@@ -105,8 +107,11 @@ private:
             const bool parts =
                 m_cuts.groups && m_welded.part[first[0].triangle] != m_welded.part[first[1].triangle];
             const bool bends = m_cuts.angle && normal(first[0].triangle).dot(normal(first[1].triangle)) < bend;
+            const Edge edge{first->low, first->high};
+            if (bends && !parts && !m_cut.contains(edge))
+                m_bendCuts.insert(edge);
             if (parts || bends || first[0].forward == first[1].forward)
-                m_cut.insert({first->low, first->high});
+                m_cut.insert(edge);
         });
     }
 
@@ -224,33 +229,52 @@ private:
         }
     }
 
-    bool isSplinter(const FormPiece& piece) const
+    double areaOf(const Corners& corners) const
+    {
+        const auto at = [&](std::size_t k) -> const Vec3& { return m_welded.points[corners[k]]; };
+        return (at(1) - at(0)).cross(at(2) - at(0)).norm() / 2;
+    }
+
+    bool isSplinter(const FormPiece& piece, double least) const
     {
         double area = 0, length = 0;
         const auto at = [&](int vertex) { return m_welded.points[piece.points[vertex]]; };
         for (const Corners& t : piece.triangles)
-            area += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() / 2;
+            area += areaOf({piece.points[t[0]], piece.points[t[1]], piece.points[t[2]]});
         for (std::size_t k = 0; k < piece.border.size(); ++k)
             length += (at(piece.border[piece.after(k)]) - at(piece.border[k])).norm();
-        return area < std::max(leastPiece, leastWidth / 2 * length);
+        return area < std::max(least, leastWidth / 2 * length);
     }
 
-    /// Splinters between a line and a border, or two lines, go to the neighbour that they have most in common with.
-    /// Whether there were such, so that the form falls apart anew.
+    /// Splinters between lines, borders and bends go to the neighbour that they have most in common with. Whether
+    /// there were such, so that the form falls apart anew.
     bool dissolveSplinters()
     {
-        if (m_lineCuts.empty())
+        return dissolveSplinters(m_lineCuts, leastPiece) || dissolveSplinters(m_bendCuts, leastBent());
+    }
+
+    double leastBent() const
+    {
+        double area = 0;
+        for (const Corners& corners : m_welded.triangles)
+            area += areaOf(corners);
+        return std::min(leastFacet, leastFacetShare * area);
+    }
+
+    bool dissolveSplinters(const std::set<Edge>& cuts, double least)
+    {
+        if (cuts.empty())
             return false;
         std::set<std::size_t> changed;
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
             const FormPiece& piece = m_form.pieces[p];
-            if (changed.contains(p) || !isSplinter(piece))
+            if (changed.contains(p) || !isSplinter(piece, least))
                 continue;
             std::map<int, std::pair<double, std::vector<Edge>>> beside; // by piece: the length, and the edges
             for (std::size_t k = 0; k < piece.border.size(); ++k) {
                 const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
                 const Edge edge{std::min(a, b), std::max(a, b)};
-                if (piece.mates[k].none() || !m_lineCuts.contains(edge))
+                if (piece.mates[k].none() || !cuts.contains(edge))
                     continue;
                 auto& [length, edges] = beside[piece.mates[k].piece];
                 length += (m_welded.points[a] - m_welded.points[b]).norm();
@@ -272,7 +296,7 @@ private:
     bool cutRingsOpen(int round)
     {
         bool cut = false;
-        for (std::size_t p = 0; p < m_form.pieces.size() && m_form.problem.empty(); ++p) {
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
             const FormPiece& piece = m_form.pieces[p];
             const std::size_t loops = m_loops[p].size();
             if (loops == 0) {
@@ -283,7 +307,8 @@ private:
                 if (round >= mostCutsOpen)
                     refuse(p, QT_TRANSLATE_NOOP("Message",
                                                 "%1 has too many holes: close them, or divide it by groups"));
-                openRing(piece, m_loops[p]);
+                else
+                    openRing(piece, m_loops[p]);
                 cut = true;
             } else if (eulerNumber(piece) != 1) {
                 refuse(p, QT_TRANSLATE_NOOP("Message",
@@ -332,6 +357,7 @@ private:
                 for (int v = vertex; from[v] >= 0; v = from[v]) {
                     const int a = point(v), b = point(from[v]);
                     m_cut.insert({std::min(a, b), std::max(a, b)});
+                    m_form.opened.push_back({a, b});
                 }
                 ++m_opened;
                 return;
@@ -353,7 +379,12 @@ private:
         return name.empty() ? "Piece" : name;
     }
 
-    void refuse(std::size_t piece, const char* why) { m_form.problem = {why, {nameOf(piece)}}; }
+    void refuse(std::size_t piece, const char* why)
+    {
+        if (m_form.problem.empty())
+            m_form.problem = {why, {nameOf(piece)}};
+        m_form.refused.push_back(piece);
+    }
 
     void giveNames()
     {
@@ -363,6 +394,7 @@ private:
             const int times = ++used[name];
             const bool numbered = times > 1 || (m_welded.names[m_parts[p]].empty() && m_form.pieces.size() > 1);
             m_form.pieces[p].name = numbered ? name + " " + std::to_string(times) : name;
+            m_form.pieces[p].part = m_welded.names[m_parts[p]];
         }
         if (m_opened > 0)
             m_form.notes.push_back(
@@ -376,7 +408,7 @@ private:
     std::stop_token m_stop;
     FormDraft* m_draft;
     std::vector<HalfEdge> m_halves;
-    std::set<Edge> m_cut, m_lineCuts;
+    std::set<Edge> m_cut, m_lineCuts, m_bendCuts;
     std::vector<int> m_pieceOf;                         // of each triangle
     std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
     std::vector<int> m_parts;                           // of each piece
@@ -387,20 +419,22 @@ private:
 
 } // namespace
 
+FormLine lineOf(const FixationCurve& curve)
+{
+    FormLine line{curve.name, {}, curve.curve.closed()};
+    const std::vector<double> breaks = curve.curve.breaks();
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+        for (int i = 0; i < samplesOfSpan; ++i)
+            line.points.push_back(curve.curve.at(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * i / samplesOfSpan));
+    if (!line.closed)
+        line.points.push_back(curve.curve.at(breaks.back()));
+    return line;
+}
+
 std::vector<FormLine> linesOf(const Design& design)
 {
     std::vector<FormLine> lines;
-    design.each<FixationCurve>([&](ElementId, const FixationCurve& curve) {
-        FormLine line{curve.name, {}, curve.curve.closed()};
-        const std::vector<double> breaks = curve.curve.breaks();
-        for (std::size_t k = 1; k < breaks.size(); ++k)
-            for (int i = 0; i < samplesOfSpan; ++i)
-                line.points.push_back(
-                    curve.curve.at(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * i / samplesOfSpan));
-        if (!line.closed)
-            line.points.push_back(curve.curve.at(breaks.back()));
-        lines.push_back(std::move(line));
-    });
+    design.each<FixationCurve>([&](ElementId, const FixationCurve& curve) { lines.push_back(lineOf(curve)); });
     return lines;
 }
 

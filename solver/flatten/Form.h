@@ -56,6 +56,7 @@ struct BorderRow {
 /// A part of the form that is one sheet with one border: it can be laid flat.
 struct FormPiece {
     std::string name;
+    std::string part;        ///< of the form: its name
     std::vector<int> points; ///< of the form, by vertex; a point on a cut inside the piece has two vertices here
     std::vector<std::array<int, 3>> triangles; ///< vertices, counter-clockwise seen from outside
     std::vector<int>
@@ -72,11 +73,16 @@ struct Form {
     std::vector<FormPiece> pieces;
     std::vector<Message> notes; ///< what was mended: faces turned round, rings cut open ...
     Message problem;            ///< why there is none; pieces are empty then
+    /// All pieces, where some are the problem: closed all around, with a handle or too many holes; and which.
+    std::vector<FormPiece> undivided;
+    std::vector<std::size_t> refused;
+    std::vector<std::array<int, 2>> opened; ///< points at the ends of edges along which rings were cut open
 };
 
 /// A form with more is made simpler first, with a note about how far that is off.
 inline constexpr std::size_t mostFormTriangles = 300'000;
 
+FormLine lineOf(const FixationCurve& curve);
 /// The fixation curves of a design, as lines.
 std::vector<FormLine> linesOf(const Design& design);
 

@@ -7,6 +7,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,27 @@ std::vector<int> trianglesNear(const TriangleSoup& soup, const CgalMesh& strip)
             found.push_back(static_cast<int>(t));
     }
     return found;
+}
+
+/// Where a mesh goes through itself, if it does.
+std::optional<Vec3> selfCrossing(const CgalMesh& mesh)
+{
+    std::vector<std::pair<Face, Face>> pairs;
+    Pmp::self_intersections(mesh, std::back_inserter(pairs));
+    if (pairs.empty())
+        return std::nullopt;
+    Vec3 sum = Vec3::Zero();
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(pairs.front().first)))
+        sum += fromCgal(mesh.point(v)) / 3;
+    return sum;
+}
+
+/// mm
+std::string placeText(const Vec3& at)
+{
+    std::string text("(");
+    text.append(numberText(at.x(), 4)).append(", ").append(numberText(at.y(), 4)).append(", ");
+    return text.append(numberText(at.z(), 4)).append(")");
 }
 
 class LineCutter {
@@ -211,6 +233,15 @@ private:
         return line;
     }
 
+    static Message whyNotCut(const FormLine& line, const CgalMesh& strip, const CgalMesh& form)
+    {
+        if (const std::optional<Vec3> sharp = selfCrossing(strip))
+            return {QT_TRANSLATE_NOOP("Message", "%1 bends too sharply at %2: it is not cut along it"),
+                    {line.name, placeText(*sharp)}};
+        return {QT_TRANSLATE_NOOP("Message", "The form goes through itself at %2: it is not cut along %1"),
+                {line.name, placeText(selfCrossing(form).value_or(line.points.front()))}};
+    }
+
     void cutNow(const FormLine& line, const std::vector<FormLine>& all, const std::stop_token& stop)
     {
         CgalMesh strip = ribbonAlong(line, all);
@@ -228,9 +259,7 @@ private:
                 CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor).throw_on_self_intersection(
                     true));
         } catch (const Pmp::Corefinement::Self_intersection_exception&) {
-            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 bends too sharply there, or the form goes through "
-                                                            "itself: it is not cut along it"),
-                               {line.name}});
+            m_notes.push_back(whyNotCut(line, strip, near.mesh));
             return;
         }
         near.tidy(); // the next line meets whole triangles
@@ -470,13 +499,10 @@ private:
             if (line.name != name)
                 for (const Vec3& place : evenly(line, spacing))
                     border = std::min(border, (place - at).norm());
-        std::string where("(");
-        where.append(numberText(at.x(), 4)).append(", ").append(numberText(at.y(), 4)).append(", ");
-        where.append(numberText(at.z(), 4)).append(")");
         return {QT_TRANSLATE_NOOP("Message",
                                   "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
                                   "line or border is %3 mm away; draw it on to there to divide the piece"),
-                {name, where, numberText(border, 2)}};
+                {name, placeText(at), numberText(border, 2)}};
     }
 
     TriangleSoup m_soup;

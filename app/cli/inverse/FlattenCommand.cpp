@@ -1,6 +1,7 @@
 #include "AssemblyImport.h"
 #include "DesignJson.h"
 #include "DistinctFiles.h"
+#include "Division.h"
 #include "FileFormats.h"
 #include "FitTargetFiles.h"
 #include "FormPattern.h"
@@ -37,6 +38,7 @@ Options:
                         on smoothly in each other; a mesh, which knows none, where it
                         bends by more than the triangles of one face do (21 degrees)
   --along DESIGN        and along the fixation curves of this design
+  --divide              and wherever it would not lie flat, or be strained by more than 8 %
   --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
   --grain DIRECTION     of the grain line: up (the usual way), back or side on the form,
                         or an angle in the pattern, degrees
@@ -57,10 +59,11 @@ namespace {
 constexpr double bendOfFaces =
     21; // degrees: CAD files are read with triangles that bend by 20 at most within a face
 
-constexpr std::array flattenRules = {
-    OptionRule{"--out", true},    OptionRule{"--by", true},    OptionRule{"--fabric", true},
-    OptionRule{"--edge", true},   OptionRule{"--unit", true},  OptionRule{"--up", true},
-    OptionRule{"--report", true}, OptionRule{"--along", true}, OptionRule{"--grain", true}};
+constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
+                                     OptionRule{"--fabric", true}, OptionRule{"--edge", true},
+                                     OptionRule{"--unit", true},   OptionRule{"--up", true},
+                                     OptionRule{"--report", true}, OptionRule{"--along", true},
+                                     OptionRule{"--grain", true},  OptionRule{"--divide", false}};
 
 double numberIn(const std::string& text, const std::string& what, double least, double most)
 {
@@ -144,7 +147,8 @@ struct ReadForm {
     int failure = done; ///< else the exit code; why was said
 };
 
-ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& arguments, const std::stop_token& stop)
+ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& order, const Arguments& arguments,
+                const std::stop_token& stop)
 {
     ImportedMesh imported;
     {
@@ -174,14 +178,19 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const Arguments& argument
         ProgressLine line("cutting the form");
         read.form = cutForm(mesh, cuts, stop);
     }
+    if (arguments.has("--divide")) {
+        ProgressLine line("dividing the form");
+        read.form = divided(read.form, order, stop);
+    }
     printWarnings(read.form.notes);
     if (read.form.problem.empty())
         return read;
     read.failure = badInput;
     printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
-    if (!arguments.has("--by") && !arguments.has("--along"))
-        printError("(--by angle:DEG cuts where it bends by more than DEG degrees, --along DESIGN along its "
-                   "fixation curves)");
+    if (!read.form.refused.empty())
+        printError(
+            "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG degrees, "
+            "--along DESIGN along its fixation curves)");
     return read;
 }
 
@@ -218,7 +227,7 @@ std::string percent(double strain)
     return numberText(strain < 1e-6 ? 0 : 100 * strain, 2);
 }
 
-void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made)
+void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made, bool divided)
 {
     for (std::size_t p = 0; p < flat.size(); ++p) {
         std::string line = form.pieces[p].name;
@@ -237,7 +246,9 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
         leftOut += made.patches[p] == noElement ? formArea(form, form.pieces[p]) : 0;
     }
     if (leftOut > 0)
-        printError("warning: " + numberText(100 * leftOut / all, 3) + " % of the form's area are left out");
+        printError(
+            "warning: " + numberText(100 * leftOut / all, 3) + " % of the form's area are left out; " +
+            (divided ? "a shorter --edge lets smaller pieces be divided" : "--divide finds where to divide it"));
     double widest = 0;
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
@@ -269,7 +280,7 @@ int flattenForm(std::span<const std::string> words)
     if (arguments.has("--along"))
         cuts.lines = linesAlong(arguments.path("--along"));
     Interrupt interrupt;
-    const auto [form, failure] = formOf(surface, std::move(cuts), arguments, interrupt.token());
+    const auto [form, failure] = formOf(surface, std::move(cuts), order, arguments, interrupt.token());
     if (failure != done)
         return failure;
     std::vector<FlatPiece> flat;
@@ -290,7 +301,7 @@ int flattenForm(std::span<const std::string> words)
         printError("error: none of it can be laid flat, so there is no pattern");
         return badInput;
     }
-    printPieces(form, flat, made);
+    printPieces(form, flat, made, arguments.has("--divide"));
     interrupt.beginWriting();
     const bool written = writeNewAndSay(out, writeDesign(made.design)) &&
                          (report.isEmpty() || writeAndSay(report, reportOf(form, flat, made).dump(1) + "\n"));

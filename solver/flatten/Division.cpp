@@ -1,0 +1,462 @@
+#include "Division.h"
+
+#include "Fiedler.h"
+#include "HalfEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace bolster {
+
+namespace {
+
+using Triangle = std::array<int, 3>;
+
+constexpr FlattenOrder quickly{0.3, 120, 0.02};
+constexpr int mostRounds = 3;
+constexpr double leastEdges = 8;            // of the cover, across a piece: a smaller one is not divided
+constexpr std::size_t manyTriangles = 4000; // fewer are made smaller, so that lines need not follow their edges
+constexpr std::size_t fewTriangles = 200;   // of a piece: lines follow their edges
+constexpr double nearCorner = 0.15;         // of an edge: a line that crosses it nearer goes through the corner
+constexpr int roundsOfSmoothing = 5;
+constexpr double sharpBend = 15;  // degrees
+constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
+
+double areaOf(const Sheet& sheet)
+{
+    double area = 0;
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
+        area += sheet.areaNormal(t).norm();
+    return area;
+}
+
+/// By points of the form: where it is only cut open it hangs together.
+Sheet sheetOf(const std::vector<Vec3>& points, const FormPiece& piece)
+{
+    Sheet sheet;
+    std::map<int, int> numbers;
+    for (const Triangle& corners : piece.triangles) {
+        Triangle& named = sheet.triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int point = piece.points[corners[k]];
+            const auto [number, isNew] = numbers.emplace(point, static_cast<int>(sheet.points.size()));
+            if (isNew)
+                sheet.points.push_back(points[point]);
+            named[k] = number->second;
+        }
+    }
+    return sheet;
+}
+
+/// Points between others, each once.
+class Between {
+public:
+    explicit Between(std::vector<Vec3>& points)
+        : m_points(points)
+    {}
+
+    /// With so much of a and of b; the same to the last bit for (b, a).
+    int operator()(int a, int b, double ofA, double ofB)
+    {
+        const auto [number, isNew] = m_numbers.emplace(std::minmax(a, b), static_cast<int>(m_points.size()));
+        if (isNew)
+            m_points.emplace_back(ofA * m_points[a] + ofB * m_points[b]);
+        return number->second;
+    }
+
+private:
+    std::vector<Vec3>& m_points;
+    std::map<std::pair<int, int>, int> m_numbers;
+};
+
+/// Each triangle becomes four.
+Sheet refined(const Sheet& sheet)
+{
+    Sheet fine{sheet.points, {}};
+    Between between(fine.points);
+    for (const auto& [a, b, c] : sheet.triangles) {
+        const int ab = between(a, b, 0.5, 0.5), bc = between(b, c, 0.5, 0.5), ca = between(c, a, 0.5, 0.5);
+        for (const Triangle& part : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+            fine.triangles.push_back(part);
+    }
+    return fine;
+}
+
+/// Points of edges that bend, and part the halves: the line goes along there.
+std::vector<bool> onBends(const Sheet& sheet, const std::vector<double>& ofTriangles)
+{
+    std::vector<bool> on(sheet.points.size(), false);
+    const double bend = std::cos(sharpBend * std::numbers::pi / 180);
+    eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first != 2 || ofTriangles[first[0].triangle] * ofTriangles[first[1].triangle] >= 0)
+            return;
+        const Vec3 one = sheet.areaNormal(first[0].triangle), other = sheet.areaNormal(first[1].triangle);
+        if (one.dot(other) < bend * one.norm() * other.norm())
+            on[first->low] = on[first->high] = true;
+    });
+    return on;
+}
+
+/// A line with a little of each point's neighbours is not as jagged.
+std::vector<double> smoothed(const Sheet& sheet, const Halves& halves)
+{
+    std::vector<double> values = halves.ofPoints;
+    const std::vector<bool> stays = onBends(sheet, halves.ofTriangles);
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (stays[v])
+            values[v] = 0;
+    for (int round = 0; round < roundsOfSmoothing; ++round) {
+        std::vector<double> sums(values.size(), 0), counts(values.size(), 0);
+        for (const Triangle& corners : sheet.triangles)
+            for (const int a : corners)
+                for (const int b : corners) {
+                    sums[a] += values[b];
+                    counts[a] += 1;
+                }
+        for (std::size_t v = 0; v < values.size(); ++v)
+            if (!stays[v] && counts[v] > 0)
+                values[v] = sums[v] / counts[v];
+    }
+    return values;
+}
+
+/// No part of a triangle shall be a splinter; and borders get no new points, which their neighbours would not have.
+void goThroughCorners(const Sheet& sheet, std::vector<double>& values)
+{
+    eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        double &a = values[first->low], &b = values[first->high];
+        if (a * b >= 0)
+            return;
+        const double share = a / (a - b), near = last - first == 2 ? nearCorner : 0.5;
+        if (share <= near)
+            a = 0;
+        else if (share >= 1 - near)
+            b = 0;
+    });
+}
+
+using TwoParts = std::array<std::vector<Triangle>, 2>;
+
+TwoParts alongEdges(const Sheet& sheet, const std::vector<double>& values)
+{
+    TwoParts halves;
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
+        halves[values[t] < 0 ? 0 : 1].push_back(sheet.triangles[t]);
+    return halves;
+}
+
+/// New points are added to the sheet.
+TwoParts acrossTriangles(Sheet& sheet, const Halves& halvesOfIt)
+{
+    std::vector<double> values = smoothed(sheet, halvesOfIt);
+    goThroughCorners(sheet, values);
+    TwoParts halves;
+    Between between(sheet.points);
+    for (const Triangle& corners : sheet.triangles) {
+        std::array<std::vector<int>, 2> parts; // of the triangle, below and above: once around
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int at = corners[k], next = corners[(k + 1) % 3];
+            const double a = values[at], b = values[next];
+            if (a <= 0)
+                parts[0].push_back(at);
+            if (a >= 0)
+                parts[1].push_back(at);
+            if (a * b < 0) {
+                const int place = between(at, next, b / (b - a), a / (a - b));
+                parts[0].push_back(place);
+                parts[1].push_back(place);
+            }
+        }
+        if (std::ranges::all_of(corners, [&](int v) { return values[v] == 0; }))
+            parts[0].clear(); // it would be in both
+        for (std::size_t half = 0; half < 2; ++half)
+            for (std::size_t k = 2; k < parts[half].size(); ++k)
+                halves[half].push_back({parts[half][0], parts[half][k - 1], parts[half][k]});
+    }
+    return halves;
+}
+
+/// Adds triangles of a part to a mesh.
+void append(TriangleMesh& mesh, const Sheet& sheet, const std::string& part)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.parts.push_back({part, static_cast<std::uint32_t>(mesh.triangles.size()),
+                          static_cast<std::uint32_t>(sheet.triangles.size())});
+    mesh.points.insert(mesh.points.end(), sheet.points.begin(), sheet.points.end());
+    for (const auto& [a, b, c] : sheet.triangles)
+        mesh.triangles.push_back({first + static_cast<std::uint32_t>(a), first + static_cast<std::uint32_t>(b),
+                                  first + static_cast<std::uint32_t>(c)});
+}
+
+/// What is cut into pieces stays so; where rings were cut open another way may be shorter later.
+std::vector<std::vector<Vec3>> slitsOf(const Form& form)
+{
+    std::set<std::pair<int, int>> opened;
+    for (const auto& [a, b] : form.opened)
+        opened.insert(std::minmax(a, b));
+    std::vector<std::vector<Vec3>> rows;
+    for (std::size_t p = 0; p < form.pieces.size(); ++p) {
+        const FormPiece& piece = form.pieces[p];
+        for (std::size_t k = 0; k < piece.border.size(); ++k) {
+            const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
+            if (piece.mates[k].piece == static_cast<int>(p) && !opened.contains(std::minmax(a, b)))
+                rows.push_back({form.points[a], form.points[b]});
+        }
+    }
+    return rows;
+}
+
+Sheet together(Sheet sheet, const Sheet& other)
+{
+    const int first = static_cast<int>(sheet.points.size());
+    sheet.points.insert(sheet.points.end(), other.points.begin(), other.points.end());
+    for (const auto& [a, b, c] : other.triangles)
+        sheet.triangles.push_back({first + a, first + b, first + c});
+    return sheet;
+}
+
+/// Of a form of one piece: the square of its border's length over that of a disc of its size.
+double winding(const Form& form)
+{
+    const FormPiece& piece = form.pieces.front();
+    double length = 0;
+    for (std::size_t k = 0; k < piece.border.size(); ++k)
+        length +=
+            (form.points[piece.points[piece.border[piece.after(k)]]] - form.points[piece.points[piece.border[k]]])
+                .norm();
+    return length * length / (4 * std::numbers::pi * areaOf(sheetOf(form.points, piece)));
+}
+
+class Divider {
+    using Pair = std::pair<std::size_t, std::size_t>; // of sheets, the lesser one first
+
+public:
+    Divider(const Form& form, const FormPatternOrder& order, const std::stop_token& stop)
+        : m_cuts{true, {}, {}, slitsOf(form)}
+        , m_order(order)
+        , m_limit(bearableStrain(order.fabric))
+        , m_least(std::pow(leastEdges * order.edgeLength, 2))
+        , m_stop(stop)
+    {
+        m_order.twins = false;
+    }
+
+    Form divided(const Form& form)
+    {
+        const std::vector<FormPiece>& pieces = form.pieces.empty() ? form.undivided : form.pieces;
+        std::vector<bool> bad(pieces.size(), false);
+        for (const std::size_t p : form.refused)
+            bad[p] = true;
+        for (std::size_t p = 0; p < pieces.size() && !m_stop.stop_requested(); ++p)
+            bad[p] = bad[p] || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
+        if (std::ranges::count(bad, true) == 0)
+            return form;
+        Form now = divided(form.points, pieces, bad, refinements(pieces),
+                           [&](Sheet sheet) { return joined(flatParts(std::move(sheet)), false); });
+        // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
+        for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
+            const std::vector<bool> still = badTogether(now);
+            const int before = m_divisions;
+            if (std::ranges::count(still, true) > 0)
+                now = divided(now.points, now.pieces, still, 0, [&](const Sheet& sheet) { return parts(sheet); });
+            if (m_divisions == before)
+                break;
+        }
+        now.notes = form.notes;
+        now.notes.push_back(
+            {QT_TRANSLATE_NOOP("Message", "What would not lie flat, or be strained by more than the "
+                                          "fabric may be, is divided into more pieces: %1"),
+             {std::to_string(m_divisions)}});
+        return now;
+    }
+
+private:
+    /// With what becomes of those that are bad in their places.
+    template <class Divide>
+    Form divided(const std::vector<Vec3>& points, const std::vector<FormPiece>& pieces,
+                 const std::vector<bool>& bad, std::size_t refinements, const Divide& divide)
+    {
+        TriangleMesh mesh;
+        for (std::size_t p = 0; p < pieces.size() && !m_stop.stop_requested(); ++p) {
+            Sheet sheet = sheetOf(points, pieces[p]);
+            for (std::size_t k = 0; k < refinements; ++k)
+                sheet = refined(sheet);
+            const std::vector<Sheet> sheets = bad[p] ? divide(std::move(sheet)) : std::vector{std::move(sheet)};
+            m_divisions += static_cast<int>(sheets.size()) - 1;
+            for (const Sheet& each : sheets)
+                append(mesh, each, pieces[p].part);
+        }
+        return cutForm(mesh, m_cuts, m_stop);
+    }
+
+    /// Lines need not follow the edges of small triangles.
+    static std::size_t refinements(const std::vector<FormPiece>& pieces)
+    {
+        std::size_t times = 0, triangles = 0;
+        for (const FormPiece& piece : pieces)
+            triangles += piece.triangles.size();
+        for (; triangles < manyTriangles; triangles *= 4)
+            ++times;
+        return times;
+    }
+
+    Form formOf(const Sheet& sheet) const
+    {
+        TriangleMesh mesh;
+        append(mesh, sheet, "");
+        return cutForm(mesh, m_cuts, m_stop);
+    }
+
+    std::vector<bool> badTogether(const Form& form) const
+    {
+        FlattenOrder flattening;
+        flattening.poisson = m_order.fabric.poisson;
+        std::vector<bool> bad(form.pieces.size(), false);
+        const std::vector<FlatPiece> flat = flatten(form, flattening, m_stop);
+        if (m_stop.stop_requested() || form.pieces.empty())
+            return bad;
+        const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
+        for (std::size_t p = 0; p < pattern.patches.size(); ++p)
+            bad[p] = pattern.patches[p] == noElement;
+        return bad;
+    }
+
+    bool liesFlat(const Form& form) const
+    {
+        FlattenOrder flattening = quickly;
+        flattening.poisson = m_order.fabric.poisson;
+        const std::vector<FlatPiece> flat = flatten(form, flattening, m_stop);
+        if (flat.empty() || m_stop.stop_requested())
+            return false;
+        const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
+        return std::ranges::count(pattern.patches, noElement) == 0 &&
+               std::ranges::all_of(flat, [&](const FlatPiece& each) { return each.strainP99 <= m_limit; });
+    }
+
+    /// The two halves that lie flat; else the sheet.
+    std::vector<Sheet> parts(const Sheet& sheet) const
+    {
+        auto [below, above] = halved(sheet);
+        if (below.triangles.empty() || above.triangles.empty())
+            return {sheet};
+        std::vector<Sheet> all = flatParts(std::move(below));
+        std::ranges::move(flatParts(std::move(above)), std::back_inserter(all));
+        return joined(std::move(all), true);
+    }
+
+    /// Halves of halves, as long as they do not lie flat.
+    std::vector<Sheet> flatParts(Sheet sheet) const
+    {
+        std::vector<Sheet> waiting{std::move(sheet)}, done;
+        while (!waiting.empty() && !m_stop.stop_requested()) {
+            sheet = std::move(waiting.back());
+            waiting.pop_back();
+            const Form form = formOf(sheet);
+            if (form.pieces.size() > 1) { // halves need not hang together
+                for (const FormPiece& piece : form.pieces)
+                    waiting.push_back(sheetOf(form.points, piece));
+            } else if (areaOf(sheet) < m_least || liesFlat(form)) {
+                done.push_back(std::move(sheet));
+            } else if (auto [below, above] = halved(sheet); below.triangles.empty() || above.triangles.empty()) {
+                done.push_back(std::move(sheet));
+            } else {
+                waiting.push_back(std::move(below));
+                waiting.push_back(std::move(above));
+            }
+        }
+        return done;
+    }
+
+    std::array<Sheet, 2> halved(Sheet sheet) const
+    {
+        const Halves halves = halvesOf(sheet, m_stop);
+        if (halves.ofTriangles.empty())
+            return {};
+        const auto [below, above] = sheet.triangles.size() < fewTriangles ? alongEdges(sheet, halves.ofTriangles)
+                                                                          : acrossTriangles(sheet, halves);
+        return {Sheet{sheet.points, below}, Sheet{sheet.points, above}};
+    }
+
+    /// Neighbours that lie flat together are one again, first those that have most of their outline in common.
+    std::vector<Sheet> joined(std::vector<Sheet> sheets, bool onlySmall) const
+    {
+        std::map<Pair, double> common = commonLengths(sheets);
+        if (onlySmall)
+            std::erase_if(common, [&](const auto& each) {
+                return std::min(areaOf(sheets[each.first.first]), areaOf(sheets[each.first.second])) >= m_least;
+            });
+        const auto closeness = [&](const auto& each) {
+            const auto& [pair, length] = each;
+            return length / std::sqrt(std::min(areaOf(sheets[pair.first]), areaOf(sheets[pair.second])));
+        };
+        while (!common.empty() && !m_stop.stop_requested()) {
+            const auto closest = std::ranges::max_element(common, {}, closeness);
+            const auto [a, b] = closest->first;
+            common.erase(closest);
+            Sheet both = together(sheets[a], sheets[b]);
+            const Form form = formOf(both);
+            if (form.pieces.size() != 1 || !form.opened.empty() || winding(form) > mostWinding || !liesFlat(form))
+                continue;
+            sheets[a] = std::move(both);
+            sheets[b] = {};
+            for (auto each = common.begin(); each != common.end();) {
+                const auto [one, other] = each->first;
+                if (one != b && other != b) {
+                    ++each;
+                    continue;
+                }
+                common[std::minmax(a, one == b ? other : one)] += each->second;
+                each = common.erase(each);
+            }
+        }
+        std::erase_if(sheets, [](const Sheet& sheet) { return sheet.triangles.empty(); });
+        return sheets;
+    }
+
+    /// mm, of the borders of two neighbours.
+    std::map<Pair, double> commonLengths(const std::vector<Sheet>& sheets) const
+    {
+        TriangleMesh mesh;
+        for (std::size_t k = 0; k < sheets.size(); ++k)
+            append(mesh, sheets[k], std::to_string(k));
+        const Form form = cutForm(mesh, m_cuts, m_stop);
+        std::map<Pair, double> lengths;
+        for (const FormPiece& piece : form.pieces)
+            for (std::size_t k = 0; k < piece.border.size(); ++k) {
+                if (piece.mates[k].none())
+                    continue;
+                const std::size_t one = std::stoul(piece.part),
+                                  other = std::stoul(form.pieces[piece.mates[k].piece].part);
+                const Vec3 &from = form.points[piece.points[piece.border[k]]],
+                           &to = form.points[piece.points[piece.border[piece.after(k)]]];
+                if (one < other)
+                    lengths[{one, other}] += (to - from).norm();
+            }
+        return lengths;
+    }
+
+    FormCuts m_cuts;
+    FormPatternOrder m_order;
+    double m_limit, m_least; // mm^2
+    std::stop_token m_stop;
+    int m_divisions = 0;
+};
+
+} // namespace
+
+double bearableStrain(const Fabric& fabric)
+{
+    return std::min(fabric.limits.along, fabric.limits.across) / 100;
+}
+
+Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop)
+{
+    if (form.pieces.empty() && form.refused.empty())
+        return form;
+    return Divider(form, order, stop).divided(form);
+}
+
+} // namespace bolster

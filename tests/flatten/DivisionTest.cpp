@@ -1,0 +1,157 @@
+// Forms that cannot be laid flat as they are, divided until they can.
+#include "Division.h"
+#include "TestForms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bolster {
+
+namespace {
+
+using namespace bolster::test;
+
+constexpr double radius = 200; // mm
+
+/// Of gridMesh's square; without its poles, whose triangles have no area.
+TriangleMesh sphere(const std::string& name = "Ball", double from = -1, double to = 1)
+{
+    return gridMesh(
+        48, 24,
+        [&](double u, double v) {
+            const double height = (from + v * (to - from)) * std::numbers::pi / 2,
+                         around = 2 * std::numbers::pi * u;
+            return Vec3(radius * std::cos(height) * std::cos(around), radius * std::cos(height) * std::sin(around),
+                        radius * std::sin(height));
+        },
+        name);
+}
+
+TriangleMesh closedBox()
+{
+    const auto wall = [](const Vec3& corner, const Vec3& right, const Vec3& up) {
+        return gridMesh(8, 8, [=](double u, double v) { return Vec3(corner + u * right + v * up); });
+    };
+    const Vec3 x(400, 0, 0), y(0, 300, 0), z(0, 0, 120), o = Vec3::Zero();
+    TriangleMesh box = wall(o, y, x);
+    for (const TriangleMesh& side : {wall(z, x, y), wall(o, x, z), wall(y, z, x), wall(o, z, y), wall(x, y, z)})
+        box = sideBySide(box, side);
+    box.parts = {{"Box", 0, static_cast<std::uint32_t>(box.triangles.size())}};
+    return box;
+}
+
+double areaOf(const Form& form)
+{
+    double area = 0;
+    for (const FormPiece& piece : form.pieces)
+        for (const auto& [a, b, c] : piece.triangles) {
+            const auto at = [&](int vertex) { return form.points[piece.points[vertex]]; };
+            area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
+        }
+    return area;
+}
+
+/// All of it, with no more strain than is allowed.
+void expectLiesFlat(const Form& form, const FormPatternOrder& order)
+{
+    const std::vector<FlatPiece> flat = flatten(form, {order.fabric.poisson});
+    const FormPattern pattern = formPattern(form, flat, order);
+    EXPECT_EQ(std::ranges::count(pattern.patches, noElement), 0);
+    for (std::size_t p = 0; p < flat.size(); ++p)
+        EXPECT_LE(flat[p].strainP99, 1.1 * bearableStrain(order.fabric)) << form.pieces[p].name;
+}
+
+std::ptrdiff_t openEdges(const Form& form)
+{
+    std::ptrdiff_t open = 0;
+    for (const FormPiece& piece : form.pieces)
+        open += std::ranges::count_if(piece.mates, &EdgeMate::none);
+    return open;
+}
+
+} // namespace
+
+TEST(Division, ABallBecomesPiecesThatTheFabricBears)
+{
+    const Form ball = cutForm(sphere(), {});
+    ASSERT_FALSE(ball.refused.empty());
+    const FormPatternOrder order;
+    const Form form = divided(ball, order);
+    EXPECT_TRUE(form.problem.empty());
+    EXPECT_GE(form.pieces.size(), 4u);
+    EXPECT_LE(form.pieces.size(), 16u);
+    EXPECT_EQ(openEdges(form), 0); // sewn all around
+    EXPECT_NEAR(areaOf(form), 4 * std::numbers::pi * radius * radius, 0.01 * areaOf(form));
+    expectLiesFlat(form, order);
+}
+
+TEST(Division, AFabricThatBearsMoreNeedsFewerPieces)
+{
+    const Form ball = cutForm(sphere(), {});
+    FormPatternOrder stiff, soft;
+    stiff.fabric.limits = {4, 4, 10};
+    soft.fabric.limits = {25, 25, 10};
+    EXPECT_GT(divided(ball, stiff).pieces.size(), divided(ball, soft).pieces.size());
+}
+
+TEST(Division, ABoxIsCutAlongItsEdges)
+{
+    const Form box = cutForm(closedBox(), {});
+    ASSERT_FALSE(box.refused.empty());
+    const FormPatternOrder order;
+    const Form form = divided(box, order);
+    EXPECT_LE(form.pieces.size(), 6u);
+    EXPECT_EQ(openEdges(form), 0);
+    EXPECT_NEAR(areaOf(form), areaOf(cutForm(closedBox(), {false, 30})), 1);
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    for (const FlatPiece& piece : flat) // a box is plane between its edges
+        EXPECT_LT(piece.strainRms, 0.01);
+    expectLiesFlat(form, order);
+}
+
+TEST(Division, WhatLiesFlatStaysAsItIs)
+{
+    const Form pipe = cutForm(halfPipe(100, 200), {});
+    const Form form = divided(pipe, {});
+    ASSERT_EQ(form.pieces.size(), 1u);
+    EXPECT_EQ(form.points, pipe.points);
+    EXPECT_EQ(form.notes, pipe.notes);
+}
+
+TEST(Division, PartsAndDartsStay)
+{
+    const Vec3 from(0, -100, -5), to(0, -100, 70); // up the middle of the pipe
+    const TriangleMesh mesh = sideBySide(halfPipe(100, 200), sphere("Ball", 0.1, 0.9));
+    const Form form = divided(cutForm(mesh, {true, {}, {{"Dart", {from, to}}}}), {});
+    const auto isPipe = [](const FormPiece& piece) { return piece.part == "Sheet"; };
+    ASSERT_EQ(std::ranges::count_if(form.pieces, isPipe), 1);
+    EXPECT_GE(std::ranges::count_if(form.pieces, [](const FormPiece& piece) { return piece.part == "Ball"; }), 2);
+    const auto pipe = std::ranges::find_if(form.pieces, isPipe);
+    const auto own = static_cast<int>(pipe - form.pieces.begin());
+    double length = 0;
+    for (std::size_t k = 0; k < pipe->border.size(); ++k)
+        if (pipe->mates[k].piece == own)
+            length += (form.points[pipe->points[pipe->border[pipe->after(k)]]] -
+                       form.points[pipe->points[pipe->border[k]]])
+                          .norm() /
+                      2;
+    EXPECT_NEAR(length, 70, 5);
+}
+
+TEST(Division, AnotherProblemStays)
+{
+    const Form nothing = cutForm({}, {});
+    EXPECT_EQ(divided(nothing, {}).problem, nothing.problem);
+}
+
+TEST(Division, IsTheSameEachTime)
+{
+    const Form box = cutForm(closedBox(), {});
+    const Form once = divided(box, {}), again = divided(box, {});
+    EXPECT_EQ(once.points, again.points);
+}
+
+} // namespace bolster
