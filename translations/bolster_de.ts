@@ -5882,10 +5882,6 @@
         <translation>%1 und alles, was es braucht, entfernen (%2 Elemente)</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 knickt dort zu scharf, oder die Form geht durch sich selbst: Daran wird nicht geschnitten</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>Eine Version wurde gerettet</translation>
     </message>
@@ -5924,10 +5920,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 Flächen der Form liegen da, wo schon eine andere liegt, und werden weggelassen</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>Die Form ist geschlossen, also hält nichts ihren Bezug: Er wird in sich zusammenfallen. Geben Sie den Teilen Druck, oder fixieren Sie eine Naht an einer Kurve auf dem Gestell</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5980,6 +5972,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>Keinen Scan am Bezug ziehen lassen</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>Was nicht flach läge oder stärker gedehnt würde, als der Stoff darf, ist in mehr Teile geteilt: %1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 biegt sich bei %2 zu scharf: Dort wird nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>Die Form geht bei %2 durch sich selbst: Entlang %1 wird nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>Was ringsum geschlossen ist, hat keinen Rand zum Festhalten: Sein Bezug ist entlang seiner Nähte befestigt. Löschen Sie die Befestigungen derer, die frei sein sollen</translation>
     </message>
 </context>
 <context>
@@ -9522,10 +9530,6 @@
         <translation>Wählen Sie oben eine Datei mit einer Form, oder importieren Sie zuerst ein Gestell.</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>Ein Häkchen bei „wo sie sich stärker biegt als“ schneidet sie auch dort.</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>an den Kanten seiner &amp;CAD-Flächen</translation>
     </message>
@@ -9539,6 +9543,22 @@
             <numerusform>und %n weiteres wird ebenfalls weggelassen</numerusform>
             <numerusform>und %n weitere werden ebenfalls weggelassen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>Ein Häkchen bei „wo sie nicht flach läge“ teilt sie.</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>Ein Häkchen bei „wo sie nicht flach läge“ findet, wo sie zu teilen sind.</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>wo sie &amp;nicht flach läge</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>Teile, die über sich selbst lägen oder stärker gedehnt würden, als der Stoff darf, werden geteilt, wo sie sich am meisten biegen oder schmal sind; ein Sessel braucht einige Sekunden</translation>
     </message>
 </context>
 <context>

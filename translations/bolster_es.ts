@@ -5882,10 +5882,6 @@
         <translation>Quitar %1 y lo que lo necesita (%2 elementos)</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 se dobla allí demasiado, o la forma se atraviesa a sí misma: no se corta por ella</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>Se recuperó una versión</translation>
     </message>
@@ -5924,10 +5920,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 caras de la forma están donde ya hay otra y se omiten</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>La forma es cerrada, así que nada sujeta su funda: se hundirá sobre sí misma. Dé presión a las piezas o fije una costura a una curva del armazón</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5980,6 +5972,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>No dejar que ningún escaneo tire de la funda</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>Lo que no quedaría plano, o se estiraría más de lo que admite la tela, se divide en más piezas: %1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 se dobla demasiado en %2: no se corta por ahí</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>La forma se atraviesa a sí misma en %2: no se corta por %1</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>Lo que está cerrado por completo no tiene borde por el que sujetarlo: su funda se fija a lo largo de sus costuras. Borre las fijaciones de las que deban quedar libres</translation>
     </message>
 </context>
 <context>
@@ -9522,10 +9530,6 @@
         <translation>Elija arriba un archivo con una forma, o importe primero un armazón.</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>Una marca en «donde se dobla más de» la corta también allí.</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>en las aristas de sus caras &amp;CAD</translation>
     </message>
@@ -9539,6 +9543,22 @@
             <numerusform>y también se omite %n más</numerusform>
             <numerusform>y también se omiten %n más</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>Una marca en «donde no quedaría plana» la divide.</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>Una marca en «donde no quedaría plana» encuentra por dónde dividirlas.</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>do&amp;nde no quedaría plana</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>Las piezas que quedarían sobre sí mismas, o se estirarían más de lo que admite la tela, se dividen donde más se doblan o son estrechas; un sillón tarda unos segundos</translation>
     </message>
 </context>
 <context>

@@ -5882,10 +5882,6 @@
         <translation>Supprimer %1 et ce qui en dépend (%2 éléments)</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 y tourne trop brusquement, ou la forme se traverse elle-même&#x202f;: elle n’est pas découpée</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>Une version a été récupérée</translation>
     </message>
@@ -5924,10 +5920,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 faces de la forme se trouvent là où il y en a déjà une autre, et sont omises</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>La forme est fermée, donc rien ne tient sa housse&#x202f;: elle s’affaissera sur elle-même. Donnez de la pression aux pièces ou fixez une couture à une courbe de l’armature</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5980,6 +5972,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>Ne laisser aucun scan tirer la housse</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>Ce qui ne serait pas à plat, ou serait plus étiré que le tissu ne l’admet, est divisé en davantage de pièces&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 se plie trop à %2&#x202f;: il n’y a pas de coupe à cet endroit</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>La forme se traverse elle-même à %2&#x202f;: il n’y a pas de coupe le long de %1</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>Ce qui est fermé tout autour n’a pas de bord par lequel le tenir&#x202f;: sa housse est fixée le long de ses coutures. Supprimez les fixations de celles qui doivent rester libres</translation>
     </message>
 </context>
 <context>
@@ -9522,10 +9530,6 @@
         <translation>Choisissez ci-dessus un fichier avec une forme, ou importez d’abord une armature.</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>Une coche à «&#x202f;là où elle se plie de plus de&#x202f;» la coupe là aussi.</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>aux arêtes de ses faces &amp;CAO</translation>
     </message>
@@ -9539,6 +9543,22 @@
             <numerusform>et %n de plus est omise</numerusform>
             <numerusform>et %n de plus sont omises</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>Une coche à «&#x202f;là où elle ne serait pas à plat&#x202f;» la divise.</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>Une coche à «&#x202f;là où elle ne serait pas à plat&#x202f;» trouve où les diviser.</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>là où elle &amp;ne serait pas à plat</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>Les pièces qui se recouvriraient, ou seraient plus étirées que le tissu ne l’admet, sont divisées là où elles se plient le plus ou sont étroites&#x202f;; un fauteuil prend quelques secondes</translation>
     </message>
 </context>
 <context>

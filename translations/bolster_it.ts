@@ -5882,10 +5882,6 @@
         <translation>Rimuovi %1 e ciò che ne ha bisogno (%2 elementi)</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 piega lì troppo bruscamente, o la forma attraversa sé stessa: non si taglia lungo di essa</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>È stata recuperata una versione</translation>
     </message>
@@ -5924,10 +5920,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 facce della forma si trovano dove ce n&apos;è già un&apos;altra e sono tralasciate</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>La forma è chiusa, quindi nulla tiene il suo rivestimento: si affloscerà su se stesso. Date pressione ai pezzi o fissate una cucitura a una curva del telaio</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5980,6 +5972,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>Nessuna scansione tira il rivestimento</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>Ciò che non starebbe in piano, o si tenderebbe più di quanto il tessuto consente, è diviso in più pezzi: %1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 si piega troppo in %2: lì non si taglia</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>La forma attraversa sé stessa in %2: non si taglia lungo %1</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>Ciò che è chiuso tutto intorno non ha un bordo a cui tenerlo: il suo rivestimento è fissato lungo le cuciture. Eliminate i fissaggi di quelle che devono restare libere</translation>
     </message>
 </context>
 <context>
@@ -9522,10 +9530,6 @@
         <translation>Scegli sopra un file con una forma, oppure importa prima un telaio.</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>Un segno a «dove si piega più di» la taglia anche lì.</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>lungo i bordi delle sue facce &amp;CAD</translation>
     </message>
@@ -9539,6 +9543,22 @@
             <numerusform>e anche %n altro è escluso</numerusform>
             <numerusform>e anche %n altri sono esclusi</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>Un segno a «dove non starebbe in piano» la divide.</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>Un segno a «dove non starebbe in piano» trova dove dividerli.</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>dove &amp;non starebbe in piano</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>I pezzi che si sovrapporrebbero, o si tenderebbero più di quanto il tessuto consente, sono divisi dove si piegano di più o sono stretti; una poltrona richiede alcuni secondi</translation>
     </message>
 </context>
 <context>

@@ -5878,10 +5878,6 @@
         <translation>%1 とそれに依存するもの (%2 要素) を削除</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 はそこで急に曲がりすぎるか、形状が自分自身と交差しています。これに沿っては切りません</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>1 個のバージョンを復旧しました</translation>
     </message>
@@ -5920,10 +5916,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>形状の面 %1 枚は別の面と重なっているため除かれました</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>形が閉じているため、カバーを支えるものがありません。カバーはつぶれます。パーツに圧力を与えるか、縫い目をフレーム上の曲線に固定してください</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5976,6 +5968,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>スキャンがカバーを引かないようにする</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>平らにならない所、または生地の許容を超えて伸びる所を分割しました。増えたパーツの数: %1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 は %2 で急に曲がりすぎているため、これに沿って切りません</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>形が %2 で自身と交差しているため、%1 に沿って切りません</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>全周が閉じたものには留める縁がないため、カバーを縫い目に沿って固定しました。自由にする縫い目の固定は削除してください</translation>
     </message>
 </context>
 <context>
@@ -9505,10 +9513,6 @@
         <translation>上で形状のファイルを選ぶか、先にフレームを読み込んでください。</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>「曲がりが次を超える所」にチェックを入れると、そこでも切られます。</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>CAD 面の縁で(&amp;C)</translation>
     </message>
@@ -9521,6 +9525,22 @@
         <translation>
             <numerusform>ほかに %n 個も除外されます</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>「平らにならない所」にチェックを入れると分割されます。</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>「平らにならない所」にチェックを入れると、分割する所を見つけます。</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>平らにならない所(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>自身と重なるパーツや、生地の許容を超えて伸びるパーツを、最も曲がる所や細い所で分割します。肘掛け椅子で数秒かかります</translation>
     </message>
 </context>
 <context>

@@ -5886,10 +5886,6 @@
         <translation>Usuń: %1 i to, co tego wymaga (elementy: %2)</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 zbyt ostro tam skręca albo forma przenika samą siebie: wzdłuż niej nie ma cięcia</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>Odzyskano jedną wersję</translation>
     </message>
@@ -5928,10 +5924,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>%1 ścian bryły leży w miejscu innej ściany; zostały pominięte</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>Forma jest zamknięta, więc nic nie trzyma jej pokrowca: zapadnie się on w sobie. Nadaj elementom ciśnienie albo przymocuj szew do krzywej na stelażu</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5984,6 +5976,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>Niech żaden skan nie przyciąga pokrowca</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>Co nie leżałoby płasko lub byłoby rozciągnięte bardziej, niż tkanina pozwala, podzielono na więcej kawałków: %1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 zagina się zbyt ostro w %2: nie ma tam cięcia</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>Forma przenika samą siebie w %2: nie ma cięcia wzdłuż %1</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>Co jest zamknięte dookoła, nie ma brzegu do trzymania: pokrowiec jest przymocowany wzdłuż szwów. Usuń mocowania tych, które mają być wolne</translation>
     </message>
 </context>
 <context>
@@ -9539,10 +9547,6 @@
         <translation>Wybierz powyżej plik z formą albo najpierw zaimportuj stelaż.</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>Zaznaczenie „tam, gdzie zagina się o więcej niż” tnie ją także tam.</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>na krawędziach jego ścian &amp;CAD</translation>
     </message>
@@ -9557,6 +9561,22 @@
             <numerusform>i pominięto jeszcze %n</numerusform>
             <numerusform>i pominięto jeszcze %n</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>Zaznaczenie „tam, gdzie nie leżałaby płasko” dzieli ją.</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>Zaznaczenie „tam, gdzie nie leżałaby płasko” znajduje, gdzie je podzielić.</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>tam, gdzie &amp;nie leżałaby płasko</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>Kawałki, które nachodziłyby same na siebie lub byłyby rozciągnięte bardziej, niż tkanina pozwala, są dzielone tam, gdzie najbardziej się zaginają lub są wąskie; fotel zajmuje kilka sekund</translation>
     </message>
 </context>
 <context>

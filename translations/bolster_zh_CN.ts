@@ -5878,10 +5878,6 @@
         <translation>移除 %1 及依赖它的内容（%2 个元素）</translation>
     </message>
     <message>
-        <source>%1 bends too sharply there, or the form goes through itself: it is not cut along it</source>
-        <translation>%1 在那里弯得太急，或形体穿过自身：不沿它裁开</translation>
-    </message>
-    <message>
         <source>one version was saved</source>
         <translation>已恢复一个版本</translation>
     </message>
@@ -5920,10 +5916,6 @@
     <message>
         <source>%1 faces of the form lie where another one lies, and are left out</source>
         <translation>该形状有 %1 个面与其他面重合，已略去</translation>
-    </message>
-    <message>
-        <source>The form is closed, so that nothing holds its cover: it will fall into itself. Give the pieces pressure, or fix a seam to a curve on the frame</source>
-        <translation>形体是封闭的，没有东西固定它的面套：面套会塌陷。请给样片加压力，或把一条缝固定到骨架上的曲线</translation>
     </message>
     <message>
         <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
@@ -5976,6 +5968,22 @@
     <message>
         <source>Let no scan pull at the cover</source>
         <translation>不让任何扫描拉动面套</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
+        <translation>无法展平或拉伸超过面料允许值的部分已划分，增加的样片数：%1</translation>
+    </message>
+    <message>
+        <source>%1 bends too sharply at %2: it is not cut along it</source>
+        <translation>%1 在 %2 处弯折过急：不沿其切分</translation>
+    </message>
+    <message>
+        <source>The form goes through itself at %2: it is not cut along %1</source>
+        <translation>形体在 %2 处穿过自身：不沿 %1 切分</translation>
+    </message>
+    <message>
+        <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
+        <translation>完全封闭的部分没有可固定的边缘：其面套沿缝固定。需要自由的缝，请删除其固定</translation>
     </message>
 </context>
 <context>
@@ -9505,10 +9513,6 @@
         <translation>请在上方选择形体文件，或先导入骨架。</translation>
     </message>
     <message>
-        <source>A mark at &quot;where it bends by more than&quot; cuts it there, too.</source>
-        <translation>勾选“在弯折大于此角处”，那里也会剪开。</translation>
-    </message>
-    <message>
         <source>at the edges of its &amp;CAD faces</source>
         <translation>在其 CAD 面的边上(&amp;C)</translation>
     </message>
@@ -9521,6 +9525,22 @@
         <translation>
             <numerusform>另有 %n 个也被略去</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
+        <translation>勾选“在无法展平处”即可划分。</translation>
+    </message>
+    <message>
+        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
+        <translation>勾选“在无法展平处”可找到划分之处。</translation>
+    </message>
+    <message>
+        <source>where it would &amp;not lie flat</source>
+        <translation>在无法展平处(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
+        <translation>会与自身重叠或拉伸超过面料允许值的样片，在弯折最大或狭窄处划分；一张扶手椅需几秒钟</translation>
     </message>
 </context>
 <context>

@@ -179,10 +179,10 @@ QWidget* FormPatternWindow::buildWishes()
     connect(m_groups, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_faces, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_bends, &QCheckBox::toggled, this, [this] { ask(false); });
-    m_divide = new QCheckBox(tr("where it would not lie &flat"), wishes);
+    m_divide = new QCheckBox(tr("where it would &not lie flat"), wishes);
     m_divide->setToolTip(
         tr("Pieces that would lie over themselves, or be strained by more than the fabric may be, are "
-           "divided where they bend most or are narrow. Takes up to a minute for a whole armchair"));
+           "divided where they bend most or are narrow; an armchair takes some seconds"));
     connect(m_divide, &QCheckBox::toggled, this, [this] { ask(false); });
     connect(m_angle, &NumberBox::entered, this, [this] {
         if (m_bends->isChecked())

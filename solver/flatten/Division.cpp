@@ -16,8 +16,8 @@ namespace {
 using Triangle = std::array<int, 3>;
 
 constexpr FlattenOrder quickly{0.3, 120, 0.02};
-constexpr int mostRounds = 3;
-constexpr double leastEdges = 8;            // of the cover, across a piece: a smaller one is not divided
+constexpr int mostRounds = 6;
+constexpr double leastEdges = 5;            // of the cover, across a piece: a smaller one is not divided
 constexpr std::size_t manyTriangles = 4000; // fewer are made smaller, so that lines need not follow their edges
 constexpr std::size_t fewTriangles = 200;   // of a piece: lines follow their edges
 constexpr double nearCorner = 0.15;         // of an edge: a line that crosses it nearer goes through the corner

@@ -396,7 +396,7 @@ private:
             m_form.pieces[p].name = numbered ? name + " " + std::to_string(times) : name;
             m_form.pieces[p].part = m_welded.names[m_parts[p]];
         }
-        if (m_opened > 0)
+        if (m_opened > 0 && m_form.problem.empty())
             m_form.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "Where a piece would have had a hole or been a ring it is cut "
                                               "and sewn again, number of cuts: %1"),

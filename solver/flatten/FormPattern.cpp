@@ -7,6 +7,7 @@
 #include "PlaneCurves.h"
 #include "StretchLength.h"
 #include "TwinEdits.h"
+#include "UnionFind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,7 @@ public:
         m_fabric = m_builder.add(m_order.fabric);
         m_starts.resize(m_form.pieces.size());
         m_rowWidth = rowWidth();
+        findClosed();
         for (std::size_t p = 0; goesOn(p); ++p)
             addPatch(p);
         for (std::size_t p = 0; goesOn(p); ++p)
@@ -311,18 +313,36 @@ private:
              {piece(p).name}});
     }
 
+    /// Pieces that hang together and have no border.
+    void findClosed()
+    {
+        const std::size_t count = m_form.pieces.size();
+        UnionFind sewn(static_cast<int>(count));
+        for (std::size_t p = 0; p < count; ++p)
+            for (const EdgeMate& mate : piece(p).mates)
+                if (!mate.none())
+                    sewn.join(static_cast<int>(p), mate.piece);
+        std::vector<bool> open(count, false); // of what hangs together, by its root
+        for (std::size_t p = 0; p < count; ++p)
+            if (std::ranges::any_of(piece(p).mates, &EdgeMate::none))
+                open[sewn.root(static_cast<int>(p))] = true;
+        m_closed.resize(count);
+        for (std::size_t p = 0; p < count; ++p)
+            m_closed[p] = !open[sewn.root(static_cast<int>(p))];
+    }
+
     void adviseOnHolding()
     {
-        const bool open = std::ranges::any_of(m_form.pieces, [](const FormPiece& each) {
-            return std::ranges::any_of(each.mates, [](const EdgeMate& mate) { return mate.none(); });
-        });
-        if (!open && std::ranges::any_of(m_result.patches, [](ElementId patch) { return patch != noElement; }))
-            m_result.advice.push_back(
-                {QT_TRANSLATE_NOOP("Message",
-                                   "The form is closed, so that nothing holds its cover: it will fall into "
-                                   "itself. Give the pieces pressure, or fix a seam to a curve on the "
-                                   "frame"),
-                 {}});
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            if (m_closed[p] && isThere(p)) {
+                m_result.advice.push_back(
+                    {QT_TRANSLATE_NOOP("Message",
+                                       "What is closed all around has no border to be held at: its cover is "
+                                       "fixed along its seams. Delete the fixations of those that are to "
+                                       "be free"),
+                     {}});
+                return;
+            }
     }
 
     void adviseOnEdges()
@@ -420,9 +440,13 @@ private:
             return;
         if (!row.isSewn())
             addFixation(p, row, r);
-        else if (std::pair(row.matePiece, row.mateRow) >= std::pair(static_cast<int>(p), static_cast<int>(r)) &&
-                 isThere(row.matePiece))
+        else if (!isThere(row.matePiece)) // it is left out, as a hole of the form
+            addFixation(p, row, r);
+        else if (std::pair(row.matePiece, row.mateRow) >= std::pair(static_cast<int>(p), static_cast<int>(r))) {
             addSeam(p, row, r);
+            if (m_closed[p])
+                addFixation(p, row, r);
+        }
     }
 
     void addSeam(std::size_t p, const BorderRow& row, std::size_t r)
@@ -575,6 +599,7 @@ private:
     edits::Names<FixationCurve> m_names{Design()};
     FormPattern m_result;
     ElementId m_fabric = noElement;
+    std::vector<bool> m_closed;                // of each piece: nothing of what hangs together with it has a border
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;
     Vec2 m_cursor = Vec2::Zero();

@@ -228,6 +228,61 @@ TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)
     dialog->close();
 }
 
+/// A box that is closed all around: what is wrong with it is said, and one mark mends it.
+TEST_F(BothWaysTest, AClosedFormIsDividedWhenThatIsTicked)
+{
+    writeText(folder.filePath("box.obj"), R"(g Box
+v 0 0 0
+v 400 0 0
+v 400 300 0
+v 0 300 0
+v 0 0 120
+v 400 0 120
+v 400 300 120
+v 0 300 120
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+)");
+    Frame frame;
+    frame.name = "Box";
+    frame.file = "box.obj";
+    Design start;
+    start = start.with({{}, {{start.nextId(), nullptr, makeElement(frame)}}});
+    writeText(folder.filePath("box.json"), writeDesign(start));
+    ASSERT_TRUE(open(folder.filePath("box.json")));
+    waitForBackground();
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    EXPECT_FALSE(dialog->made()->problem.empty());
+    const auto says = [&](const QString& words) {
+        return std::ranges::any_of(dialog->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    };
+    EXPECT_TRUE(says("where it would not lie flat"));
+
+    const QList<QCheckBox*> boxes = dialog->findChildren<QCheckBox*>();
+    const auto divide =
+        std::ranges::find_if(boxes, [](const QCheckBox* box) { return box->text().contains("not lie"); });
+    ASSERT_NE(divide, boxes.end());
+    QTest::mouseClick(*divide, Qt::LeftButton, {}, {8, (*divide)->height() / 2});
+    ASSERT_TRUE((*divide)->isChecked());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() && dialog->made()->problem.empty(); }, 120000));
+    EXPECT_FALSE(says("A mark at"));
+    pressIn(*dialog, "Make the pattern");
+    EXPECT_GE(count<Patch>(), 1);
+    EXPECT_LE(count<Patch>(), 6);
+    double area = 0;
+    design().each<Patch>([&](ElementId, const Patch& patch) { area += patch.outline.signedArea(); });
+    EXPECT_NEAR(area, 2 * (400 * 300 + 400 * 120 + 300 * 120), 500);
+}
+
 /// OBJ says nothing of its axes; by custom y points up.
 TEST_F(BothWaysTest, AFormThatLiesWhereTheCoverIsIsTakenAsItLies)
 {

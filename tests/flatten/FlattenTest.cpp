@@ -173,7 +173,10 @@ TEST(Flatten, SaysBeforehandWhatWillBeWrongWithTheCover)
     expectSound(closed);
     EXPECT_EQ(closed.seams.size(), 4U) << "corner to corner";
     ASSERT_EQ(closed.advice.size(), 1U);
-    EXPECT_TRUE(closed.advice[0].english().starts_with("The form is closed")) << closed.advice[0].english();
+    EXPECT_TRUE(closed.advice[0].english().starts_with("What is closed all around")) << closed.advice[0].english();
+    int fixations = 0;
+    closed.design.each<FixationSeam>([&](ElementId, const FixationSeam&) { ++fixations; });
+    EXPECT_EQ(fixations, 4) << "it is held along its seams";
     EXPECT_TRUE(patternOf(half(1)).advice.empty());
 
     FormPatternOrder order;

@@ -59,6 +59,8 @@ namespace {
 constexpr double bendOfFaces =
     21; // degrees: CAD files are read with triangles that bend by 20 at most within a face
 
+constexpr double smallestForm = 50; // mm
+
 constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
                                      OptionRule{"--fabric", true}, OptionRule{"--edge", true},
                                      OptionRule{"--unit", true},   OptionRule{"--up", true},
@@ -173,6 +175,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     const Vec3 size = mesh.boundingBox().sizes();
     printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
                 numberText(size.z(), 3) + " mm large");
+    if (size.maxCoeff() < smallestForm && !arguments.has("--unit"))
+        printError("warning: that is small for a cover; --unit says what the numbers in the file are");
     ReadForm read;
     {
         ProgressLine line("cutting the form");
