@@ -87,7 +87,7 @@ AreaRow::AreaRow(const Parts& parts, QWidget* parent)
     row->addStretch(1);
     connect(m_only, &QCheckBox::toggled, this, &AreaRow::refresh);
     connect(m_paint, &QPushButton::clicked, this, &AreaRow::paint);
-    connect(m_clear, &QPushButton::clicked, this, &AreaRow::clear);
+    connect(m_clear, &QPushButton::clicked, this, [this] { setSpots({}); });
     connect(m_radius, &NumberBox::entered, this, [this] {
         if (m_paint->isChecked())
             paint();
@@ -145,9 +145,9 @@ void AreaRow::take(const AreaBrushTool::Stamp& stamp)
     refresh();
 }
 
-void AreaRow::clear()
+void AreaRow::setSpots(std::vector<AreaSpot> spots)
 {
-    m_spots.clear();
+    m_spots = std::move(spots);
     refresh();
 }
 

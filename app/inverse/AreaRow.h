@@ -32,11 +32,11 @@ public:
     bool wanted() const;
     /// Of the pattern as it is now; nothing as long as nothing is painted.
     const std::vector<AreaSpot>& spots() const { return m_spots; }
+    void setSpots(std::vector<AreaSpot> spots);
 
 private:
     void paint();
     void take(const AreaBrushTool::Stamp& stamp);
-    void clear();
     void refresh();
 
     Parts m_parts;

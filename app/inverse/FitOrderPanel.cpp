@@ -230,6 +230,33 @@ void FitOrderPanel::addSelectedGoals(FitGoals& goals) const
             goals.sizes.push_back({patch, m_size->value() / 100});
 }
 
+FitWishes FitOrderPanel::wishes() const
+{
+    FitWishes wishes;
+    for (const QCheckBox* box : findChildren<QCheckBox*>())
+        wishes.ticks.push_back(box->isChecked());
+    for (const NumberBox* number : findChildren<NumberBox*>())
+        wishes.numbers.push_back(number->value());
+    wishes.form = m_form->chosen();
+    wishes.spots = m_area->spots();
+    return wishes;
+}
+
+void FitOrderPanel::fillIn(const FitWishes& wishes)
+{
+    const QList<QCheckBox*> boxes = findChildren<QCheckBox*>();
+    const QList<NumberBox*> numbers = findChildren<NumberBox*>();
+    if (std::ssize(wishes.ticks) != boxes.size() || std::ssize(wishes.numbers) != numbers.size())
+        return;
+    m_form->choose(wishes.form);
+    m_area->setSpots(wishes.spots);
+    for (qsizetype k = 0; k < numbers.size(); ++k)
+        numbers[k]->display(wishes.numbers[static_cast<std::size_t>(k)]);
+    for (qsizetype k = 0; k < boxes.size(); ++k)
+        if (boxes[k]->isEnabled()) // there may be no curves any more
+            boxes[k]->setChecked(wishes.ticks[static_cast<std::size_t>(k)]);
+}
+
 QString FitOrderPanel::missing(const FitOrder& order, const std::function<void()>& then) const
 {
     const FitGoals& goals = order.goals;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "AreaRow.h"
-#include "FitForm.h"
+#include "FormChoice.h"
 #include "PatternFit.h"
 
 #include <QWidget>
@@ -17,9 +17,16 @@ namespace bolster {
 
 class DesignSession;
 class Document;
-class FormChoice;
 class NumberBox;
 class Selection;
+
+/// What a panel was filled in with, to be filled in again.
+struct FitWishes {
+    std::vector<bool> ticks;     ///< of all boxes, in their order; none: nothing is remembered
+    std::vector<double> numbers; ///< of all fields
+    FormChoice::Chosen form;
+    std::vector<AreaSpot> spots;
+};
 
 class FitOrderPanel : public QWidget {
     Q_OBJECT
@@ -39,6 +46,9 @@ public:
     FitOrder order() const;
     /// What is missing; empty when nothing is. May ask for the file of the form, and go on with `then`.
     QString missing(const FitOrder& order, const std::function<void()>& then) const;
+
+    FitWishes wishes() const;
+    void fillIn(const FitWishes& wishes);
 
 private:
     QWidget* buildGoals();

@@ -42,6 +42,24 @@ void FormChoice::fill(const QString& none)
     addItem(tr("A file \u2026"), otherFile);
 }
 
+FormChoice::Chosen FormChoice::chosen() const
+{
+    return {static_cast<ElementId>(currentData().toUInt()), currentData(fileRole).toString()};
+}
+
+void FormChoice::choose(const Chosen& chosen)
+{
+    if (QFileInfo::exists(chosen.file)) {
+        take(chosen.file);
+        return;
+    }
+    const int row = chosen.scan == noElement ? -1 : findData(number(chosen.scan));
+    if (row >= 0) {
+        setCurrentIndex(row);
+        m_before = row;
+    }
+}
+
 bool FormChoice::asksForFile(const std::function<void()>& then)
 {
     const bool asks = currentData().toString() == otherFile;

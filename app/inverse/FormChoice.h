@@ -23,6 +23,13 @@ public:
     bool hasScans() const { return m_scans > 0; }
     /// Empty when none is chosen, or its file is not read.
     FitForm form() const;
+    /// To be chosen again, if it is there then.
+    struct Chosen {
+        ElementId scan = noElement;
+        QString file;
+    };
+    Chosen chosen() const;
+    void choose(const Chosen& chosen);
     /// When "A file ..." is chosen, but none yet: asks for it, goes on with `then` when there is one, and returns
     /// true.
     bool asksForFile(const std::function<void()>& then);

@@ -48,12 +48,13 @@ double movedBy(const FitFound& found, ElementId patch)
 } // namespace
 
 PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection, const Views& views,
-                                   QWidget* parent)
+                                   std::shared_ptr<FitWishes> remembered, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_pattern(views.pattern)
     , m_order(new FitOrderPanel(session, selection, views.cover, this))
+    , m_remembered(std::move(remembered))
     , m_job(
           [this](const FitWanted& wanted, const std::stop_token& stop) {
               return fitTo(
@@ -75,6 +76,7 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
     m_slider.setInterval(restOfSlider);
     connect(&m_slider, &QTimer::timeout, this, &PatternFitWindow::measure);
     build();
+    m_order->fillIn(*m_remembered);
     setRunning(false);
     connect(&m_document, &Document::changed, this, &PatternFitWindow::documentChanged);
     connect(&m_document, &Document::gestureEnded, this, &PatternFitWindow::previewEnded);
@@ -83,6 +85,7 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
 
 PatternFitWindow::~PatternFitWindow()
 {
+    *m_remembered = m_order->wishes();
     m_job.cancel();
     m_measuring.cancel();
     m_gesture.reset();

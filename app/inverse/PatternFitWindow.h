@@ -34,7 +34,9 @@ public:
         PatternView& pattern;
         AreaRow::Parts cover;
     };
-    PatternFitWindow(DesignSession& session, Selection& selection, const Views& views, QWidget* parent = nullptr);
+    /// Begins as `remembered` says, which says then how it was when it was closed.
+    PatternFitWindow(DesignSession& session, Selection& selection, const Views& views,
+                     std::shared_ptr<FitWishes> remembered, QWidget* parent = nullptr);
     ~PatternFitWindow() override;
 
     /// Whether changes were found that can be taken.
@@ -71,6 +73,7 @@ private:
     PatternView& m_pattern;
 
     FitOrderPanel* m_order;
+    std::shared_ptr<FitWishes> m_remembered;
     RunRow* m_run = nullptr;
     QPushButton* m_take = nullptr;
     QLabel* m_said = nullptr;

@@ -416,6 +416,39 @@ TEST_F(BothWaysTest, ChangesForAScanAreTakenInPart)
     expectUndone(*dialog, before);
 }
 
+TEST_F(BothWaysTest, ClosedAndOpenedAgainTheFitsWindowAsksForTheSame)
+{
+    openLargeCushion();
+    auto* dialog = openFit();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    const auto box = [&](const char* words) {
+        const QList<QCheckBox*> boxes = dialog->findChildren<QCheckBox*>();
+        return *std::ranges::find_if(boxes, [&](const QCheckBox* each) { return each->text().contains(words); });
+    };
+    const auto limit = [&] {
+        const QList<NumberBox*> numbers = dialog->findChildren<NumberBox*>();
+        return *std::ranges::find(numbers, QString("Limit of strain"), &QWidget::accessibleName);
+    };
+    ASSERT_FALSE(box("Strain")->isChecked());
+    box("Strain")->click();
+    box("Fo&am")->click();
+    limit()->display(3);
+    dialog->close();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.findChild<PatternFitWindow*>(); }, 10000));
+    dialog = openFit();
+    ASSERT_TRUE(dialog);
+    EXPECT_TRUE(box("Strain")->isChecked());
+    EXPECT_TRUE(box("Fo&am")->isChecked());
+    EXPECT_TRUE(box("lies on")->isChecked());
+    EXPECT_EQ(limit()->value(), 3);
+
+    ASSERT_TRUE(open(sample("pillow"))); // another design asks for what is usual
+    dialog = openFit();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(limit()->value(), 8);
+}
+
 TEST_F(BothWaysTest, AScanThatPullsAtTheCoverIsSaidAndSwitchedOff)
 {
     openLargeCushion(true);

@@ -17,8 +17,12 @@ namespace bolster {
 InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     : m_parts(parts)
     , m_alsoThere(commands.list({"edit.undo", "edit.redo", "file.save", "file.quit"}))
+    , m_fitWishes(std::make_shared<FitWishes>())
 {
     addCommands(commands);
+    // What was wished for another design, by a window that is about to close, too, is of no use for this one.
+    connect(&parts.session.document(), &Document::historyReplaced, this,
+            [this] { m_fitWishes = std::make_shared<FitWishes>(); });
 }
 
 void InverseCommands::addCommands(Commands& commands)
@@ -46,7 +50,8 @@ void InverseCommands::addCommands(Commands& commands)
                       show(m_fit, [this] {
                           return new PatternFitWindow(
                               m_parts.session, m_parts.selection,
-                              {m_parts.pattern, {m_parts.solver, m_parts.maps, m_parts.cover}}, &m_parts.window);
+                              {m_parts.pattern, {m_parts.solver, m_parts.maps, m_parts.cover}}, m_fitWishes,
+                              &m_parts.window);
                       });
                   }});
     commands.add(

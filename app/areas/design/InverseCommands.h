@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include <memory>
+
 class QAction;
 class QDialog;
 
@@ -14,6 +16,7 @@ namespace bolster {
 class Commands;
 class CoverView;
 class DesignSession;
+struct FitWishes;
 class MapLink;
 class PatternView;
 class Selection;
@@ -43,7 +46,8 @@ private:
     void show(QPointer<QDialog>& dialog, const Make& make);
 
     Parts m_parts;
-    QList<QAction*> m_alsoThere; ///< whose keys do in the windows what they do in the main one
+    QList<QAction*> m_alsoThere;            ///< whose keys do in the windows what they do in the main one
+    std::shared_ptr<FitWishes> m_fitWishes; ///< of the design that is open
     QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };
 
