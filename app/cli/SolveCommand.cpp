@@ -1,3 +1,4 @@
+#include "CoverFindings.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "Project.h"
@@ -80,6 +81,19 @@ void printSummary(const SolveResult& result)
     }
 }
 
+/// What the workbench says beside "Solved".
+void printWorries(const SurfaceMesh& surface, const OpenedDesign& opened)
+{
+    constexpr std::size_t mostSaid = 10;
+    FrameDistance frames;
+    const std::vector<CoverFinding> findings = coverFindings(surface, opened.design, opened.files, frames);
+    const std::size_t said = findings.size() > mostSaid ? mostSaid - 1 : findings.size();
+    for (std::size_t k = 0; k < said; ++k)
+        printError("warning: " + findings[k].text.english());
+    if (said < findings.size())
+        printError("warning: and " + std::to_string(findings.size() - said) + " more of that kind");
+}
+
 } // namespace
 
 int solve(std::span<const std::string> words)
@@ -95,8 +109,10 @@ int solve(std::span<const std::string> words)
     interrupt.whenEnded([&] { outputs.write(interruptedResult(), {}, {}); });
     const SolveResult result = solveOpened(opened, options, interrupt.token());
     printFindings(result);
-    if (result.surface)
+    if (result.surface) {
         printSummary(result);
+        printWorries(*result.surface, opened);
+    }
     interrupt.beginWriting();
     const bool written = outputs.write(result, opened.design, interrupt.token());
 

@@ -1,6 +1,5 @@
 #include "FormPatternJob.h"
 
-#include "Division.h"
 #include "FileGuess.h"
 #include "MeshImport.h"
 #include "SolveFailure.h"
@@ -137,7 +136,7 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
             return made;
         made.form = cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
         if (wanted.divide && !wanted.draft)
-            made.form = divided(made.form, wanted.order, stop);
+            made.form = divided(made.form, wanted.order, stop, wanted.progress);
         made.form.notes.insert(made.form.notes.begin(), notes.begin(), notes.end());
         made.problem = made.form.problem;
         if (!wanted.mesh && !m_form.warning.empty())

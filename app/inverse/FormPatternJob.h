@@ -1,6 +1,7 @@
 // The pattern of a form, beside the window.
 #pragma once
 
+#include "Division.h"
 #include "FileGuess.h"
 #include "Flatten.h"
 #include "FormPattern.h"
@@ -26,6 +27,7 @@ struct FormWanted {
     bool divide = false; ///< it is cut wherever it would not lie flat, too, but for drafts
     FormPatternOrder order;
     bool draft = false; ///< something moves: nearly right, soon
+    DivisionProgress progress = {};
 };
 
 struct FormMade {

@@ -39,7 +39,7 @@ namespace bolster {
 namespace {
 
 constexpr double besidePattern = 100; // mm
-constexpr int mostLinesSaid = 6;      // that are seen at once
+constexpr int mostLinesSaid = 9;      // that are seen at once
 constexpr std::size_t mostNotes = 5;  // of pieces that are left out
 
 /// Mesh of a frame as it stands in the design, mm.
@@ -62,6 +62,15 @@ std::shared_ptr<const TriangleMesh> meshOf(const SurfaceMesh& surface, const Des
         mesh->parts.push_back({patch ? patch->name : std::string(), range.firstTriangle, range.triangleCount});
     }
     return mesh;
+}
+
+/// Drawn to be seam lines, and not to hold a cover, or one that was made here.
+std::set<ElementId> linesToCut(const Design& design)
+{
+    std::set<ElementId> lines;
+    design.each<FixationCurve>([&](ElementId id, const FixationCurve&) { lines.insert(id); });
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) { lines.erase(seam.curve); });
+    return lines;
 }
 
 } // namespace
@@ -143,7 +152,7 @@ void FormPatternWindow::build()
     layout->addWidget(splitter, 1);
     layout->addLayout(progress);
     layout->addWidget(buttons);
-    resize(760, 500);
+    resize(760, 560);
     if (const QWidget* window = parentWidget()) // over the pattern: lines are drawn in the 3D view
         move(window->geometry().left() + 24, window->geometry().bottom() - height() - 40);
 }
@@ -261,6 +270,7 @@ void FormPatternWindow::fillFabrics()
 /// Lines that are new are ticked.
 void FormPatternWindow::fillLines()
 {
+    const std::set<ElementId> usual = linesToCut(m_document.design());
     std::map<quint32, Qt::CheckState> before;
     for (int row = 0; row < m_lines->topLevelItemCount(); ++row)
         before[m_lines->topLevelItem(row)->data(0, Qt::UserRole).toUInt()] =
@@ -271,16 +281,21 @@ void FormPatternWindow::fillLines()
         auto* row = new QTreeWidgetItem(m_lines, {QString::fromStdString(curve.name)});
         row->setData(0, Qt::UserRole, number(id));
         const auto known = before.find(number(id));
-        row->setCheckState(0, known == before.end() ? Qt::Checked : known->second);
+        const Qt::CheckState fresh = usual.contains(id) ? Qt::Checked : Qt::Unchecked;
+        row->setCheckState(0, known == before.end() ? fresh : known->second);
     });
 }
 
 void FormPatternWindow::tickLines(bool ticked)
 {
     m_ofFile = !ticked;
+    const std::set<ElementId> usual = ticked ? linesToCut(m_document.design()) : std::set<ElementId>();
     const QSignalBlocker quiet(m_lines);
-    for (int row = 0; row < m_lines->topLevelItemCount(); ++row)
-        m_lines->topLevelItem(row)->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked);
+    for (int row = 0; row < m_lines->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* line = m_lines->topLevelItem(row);
+        const auto id = static_cast<ElementId>(line->data(0, Qt::UserRole).toUInt());
+        line->setCheckState(0, usual.contains(id) ? Qt::Checked : Qt::Unchecked);
+    }
 }
 
 void FormPatternWindow::chooseFile()
@@ -381,6 +396,11 @@ void FormPatternWindow::ask(bool draft)
 {
     m_upToDate = false;
     m_make->setEnabled(false);
+    if (draft && m_divide->isChecked()) { // that takes longer than a drag waits
+        m_said->setText(tr("It is laid flat again when you let go."));
+        return;
+    }
+    m_make->setText(tr("&Make the pattern"));
     m_drawn = m_document.design();
     const bool file = m_form->currentData().toString() == "file";
     if (!m_mesh && (!file || m_file.isEmpty())) {
@@ -407,6 +427,12 @@ void FormPatternWindow::ask(bool draft)
         wanted.cuts.angle = m_angle->value();
     wanted.cuts.lines = chosenLines();
     wanted.divide = m_divide->isChecked();
+    wanted.progress = [this, number = wanted.number](int pieces) {
+        QMetaObject::invokeMethod(this, [this, number, pieces] {
+            if (m_running && number == m_asked)
+                m_said->setText(tr("Dividing it, %n pieces so far \u2026", nullptr, pieces));
+        });
+    };
     wanted.order.fabric = fabric();
     wanted.order.grain = grain();
     wanted.order.edgeLength = m_document.design().settings().edgeLength;
@@ -507,9 +533,12 @@ void FormPatternWindow::say()
     if (!where.empty())
         lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
     if (over > 0)
-        lines << tr("%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut "
-                    "them in there.",
+        lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
+                    "(yellow): divide them, or cut them in there.",
                     nullptr, over);
+    if (frame() && whole > 0 && !frame()->contact)
+        lines << tr(
+            "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");
     if (!m_divide->isChecked() && (over > 0 || !notes.empty()))
         lines << tr("A mark at \"where it would not lie flat\" finds where to divide them.");
     for (const Message& note : m_made->form.notes)

@@ -257,7 +257,7 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
                      .arg(lengthText(before.distanceRms, 2), length(&FitFigures::distanceRms),
                           lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95));
     constexpr double notable = 0.005; // of the cover
-    const bool inArea = !m_wanted.order.goals.area.patches.empty() || !m_wanted.order.goals.area.spots.empty();
+    const bool inArea = !m_wanted.order.goals.area.isAll();
     if (m_sought.strained || (now ? now->overLimit : result.after.overLimit) > before.overLimit + notable)
         lines << (!m_sought.strained ? tr("Strained over what the fabrics allow: %1 before, %2 now")
                   : inArea           ? tr("Strained over the limit: %1 of the painted area before, %2 now")

@@ -21,7 +21,7 @@ PullNote::PullNote(Document& document, QWidget* parent)
 void PullNote::refresh()
 {
     const Design& design = m_document.committed();
-    const bool pulls = !(withoutPulls(design) == design);
+    const bool pulls = hasPulls(design);
     m_pulled = m_pulled || pulls;
     setText(
         pulls ? tr("The cover in the 3D view is pulled to a scan; here it counts as the pattern alone makes it.") +

@@ -17,11 +17,13 @@ using Triangle = std::array<int, 3>;
 
 constexpr FlattenOrder quickly{0.3, 120, 0.02};
 constexpr int mostRounds = 6;
-constexpr double leastEdges = 5;            // of the cover, across a piece: a smaller one is not divided
-constexpr std::size_t manyTriangles = 4000; // fewer are made smaller, so that lines need not follow their edges
-constexpr std::size_t fewTriangles = 200;   // of a piece: lines follow their edges
-constexpr double nearCorner = 0.15;         // of an edge: a line that crosses it nearer goes through the corner
-constexpr int roundsOfSmoothing = 5;
+constexpr double sewnMore = 0.95; // of the limit: sewn to each other pieces are strained a little more than alone
+constexpr double leastEdges = 5;  // of the cover, across a piece: a smaller one is not divided
+constexpr std::size_t manyTriangles = 4000, someTriangles = 1000; // of what is divided first, and later on
+constexpr int mostRefinements = 6;
+constexpr std::size_t fewTriangles = 200; // even so: lines follow their edges
+constexpr double nearCorner = 0.15;       // of an edge: a line that crosses it nearer goes through the corner
+constexpr int roundsOfSmoothing = 30;
 constexpr double sharpBend = 15;  // degrees
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
@@ -72,17 +74,53 @@ private:
     std::map<std::pair<int, int>, int> m_numbers;
 };
 
-/// Each triangle becomes four.
+/// Triangles become four, but for those at the border, whose edges stay as the neighbours have them.
 Sheet refined(const Sheet& sheet)
 {
+    std::set<std::pair<int, int>> inside;
+    eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first == 2)
+            inside.emplace(first->low, first->high);
+    });
     Sheet fine{sheet.points, {}};
     Between between(fine.points);
-    for (const auto& [a, b, c] : sheet.triangles) {
-        const int ab = between(a, b, 0.5, 0.5), bc = between(b, c, 0.5, 0.5), ca = between(c, a, 0.5, 0.5);
-        for (const Triangle& part : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
-            fine.triangles.push_back(part);
+    for (const Triangle& corners : sheet.triangles) {
+        std::vector<int> around;  // the triangle with the middles of its edges, once around,
+        std::vector<int> middles; // and the places of these in it
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = corners[k], b = corners[(k + 1) % 3];
+            around.push_back(a);
+            if (inside.contains(std::minmax(a, b))) {
+                middles.push_back(static_cast<int>(around.size()));
+                around.push_back(between(a, b, 0.5, 0.5));
+            }
+        }
+        const auto at = [&](int place) { return around[static_cast<std::size_t>(place) % around.size()]; };
+        if (middles.size() < 2) { // a fan of what one middle sees, or the triangle
+            const int from = middles.empty() ? 0 : middles.front();
+            for (int k = 1; k + 1 < std::ssize(around); ++k)
+                fine.triangles.push_back({at(from), at(from + k), at(from + k + 1)});
+            continue;
+        }
+        for (std::size_t m = 0; m < middles.size(); ++m) { // the corners between neighbouring middles
+            const int from = middles[m];
+            int to = middles[(m + 1) % middles.size()];
+            to += to <= from ? static_cast<int>(around.size()) : 0;
+            for (int k = from + 1; k < to; ++k)
+                fine.triangles.push_back({at(from), at(k), at(k + 1)});
+        }
+        if (middles.size() == 3)
+            fine.triangles.push_back({at(middles[0]), at(middles[1]), at(middles[2])});
     }
     return fine;
+}
+
+/// So fine that lines need not follow the edges of its triangles.
+Sheet fine(Sheet sheet, std::size_t triangles)
+{
+    for (int k = 0; k < mostRefinements && sheet.triangles.size() < triangles; ++k)
+        sheet = refined(sheet);
+    return sheet;
 }
 
 /// Points of edges that bend, and part the halves: the line goes along there.
@@ -234,11 +272,13 @@ class Divider {
     using Pair = std::pair<std::size_t, std::size_t>; // of sheets, the lesser one first
 
 public:
-    Divider(const Form& form, const FormPatternOrder& order, const std::stop_token& stop)
+    Divider(const Form& form, const FormPatternOrder& order, const DivisionProgress& progress,
+            const std::stop_token& stop)
         : m_cuts{true, {}, {}, slitsOf(form)}
         , m_order(order)
         , m_limit(bearableStrain(order.fabric))
         , m_least(std::pow(leastEdges * order.edgeLength, 2))
+        , m_progress(progress)
         , m_stop(stop)
     {
         m_order.twins = false;
@@ -254,22 +294,26 @@ public:
             bad[p] = bad[p] || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
         if (std::ranges::count(bad, true) == 0)
             return form;
-        Form now = divided(form.points, pieces, bad, refinements(pieces),
-                           [&](Sheet sheet) { return joined(flatParts(std::move(sheet)), false); });
+        Form now = divided(form.points, pieces, bad, [&](Sheet sheet) {
+            return joined(flatParts(fine(std::move(sheet), manyTriangles)), false);
+        });
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
             const std::vector<bool> still = badTogether(now);
             const int before = m_divisions;
             if (std::ranges::count(still, true) > 0)
-                now = divided(now.points, now.pieces, still, 0, [&](const Sheet& sheet) { return parts(sheet); });
+                now = divided(now.points, now.pieces, still, [&](const Sheet& sheet) { return parts(sheet); });
             if (m_divisions == before)
                 break;
         }
+        if (m_stop.stop_requested())
+            return form;
         now.notes = form.notes;
-        now.notes.push_back(
-            {QT_TRANSLATE_NOOP("Message", "What would not lie flat, or be strained by more than the "
-                                          "fabric may be, is divided into more pieces: %1"),
-             {std::to_string(m_divisions)}});
+        if (m_divisions > 0)
+            now.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "What would not lie flat, or be strained by more than the "
+                                              "fabric may be, is divided into more pieces: %1"),
+                 {std::to_string(m_divisions)}});
         return now;
     }
 
@@ -277,30 +321,17 @@ private:
     /// With what becomes of those that are bad in their places.
     template <class Divide>
     Form divided(const std::vector<Vec3>& points, const std::vector<FormPiece>& pieces,
-                 const std::vector<bool>& bad, std::size_t refinements, const Divide& divide)
+                 const std::vector<bool>& bad, const Divide& divide)
     {
         TriangleMesh mesh;
         for (std::size_t p = 0; p < pieces.size() && !m_stop.stop_requested(); ++p) {
             Sheet sheet = sheetOf(points, pieces[p]);
-            for (std::size_t k = 0; k < refinements; ++k)
-                sheet = refined(sheet);
             const std::vector<Sheet> sheets = bad[p] ? divide(std::move(sheet)) : std::vector{std::move(sheet)};
             m_divisions += static_cast<int>(sheets.size()) - 1;
             for (const Sheet& each : sheets)
                 append(mesh, each, pieces[p].part);
         }
         return cutForm(mesh, m_cuts, m_stop);
-    }
-
-    /// Lines need not follow the edges of small triangles.
-    static std::size_t refinements(const std::vector<FormPiece>& pieces)
-    {
-        std::size_t times = 0, triangles = 0;
-        for (const FormPiece& piece : pieces)
-            triangles += piece.triangles.size();
-        for (; triangles < manyTriangles; triangles *= 4)
-            ++times;
-        return times;
     }
 
     Form formOf(const Sheet& sheet) const
@@ -320,7 +351,7 @@ private:
             return bad;
         const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
         for (std::size_t p = 0; p < pattern.patches.size(); ++p)
-            bad[p] = pattern.patches[p] == noElement;
+            bad[p] = pattern.patches[p] == noElement || flat[p].strainP99 > m_limit;
         return bad;
     }
 
@@ -333,11 +364,12 @@ private:
             return false;
         const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
         return std::ranges::count(pattern.patches, noElement) == 0 &&
-               std::ranges::all_of(flat, [&](const FlatPiece& each) { return each.strainP99 <= m_limit; });
+               std::ranges::all_of(flat,
+                                   [&](const FlatPiece& each) { return each.strainP99 <= sewnMore * m_limit; });
     }
 
     /// The two halves that lie flat; else the sheet.
-    std::vector<Sheet> parts(const Sheet& sheet) const
+    std::vector<Sheet> parts(const Sheet& sheet)
     {
         auto [below, above] = halved(sheet);
         if (below.triangles.empty() || above.triangles.empty())
@@ -348,7 +380,7 @@ private:
     }
 
     /// Halves of halves, as long as they do not lie flat.
-    std::vector<Sheet> flatParts(Sheet sheet) const
+    std::vector<Sheet> flatParts(Sheet sheet)
     {
         std::vector<Sheet> waiting{std::move(sheet)}, done;
         while (!waiting.empty() && !m_stop.stop_requested()) {
@@ -359,9 +391,9 @@ private:
                 for (const FormPiece& piece : form.pieces)
                     waiting.push_back(sheetOf(form.points, piece));
             } else if (areaOf(sheet) < m_least || liesFlat(form)) {
-                done.push_back(std::move(sheet));
+                addTo(done, std::move(sheet));
             } else if (auto [below, above] = halved(sheet); below.triangles.empty() || above.triangles.empty()) {
-                done.push_back(std::move(sheet));
+                addTo(done, std::move(sheet));
             } else {
                 waiting.push_back(std::move(below));
                 waiting.push_back(std::move(above));
@@ -370,8 +402,17 @@ private:
         return done;
     }
 
+    void addTo(std::vector<Sheet>& done, Sheet sheet)
+    {
+        done.push_back(std::move(sheet));
+        ++m_found;
+        if (m_progress)
+            m_progress(m_found);
+    }
+
     std::array<Sheet, 2> halved(Sheet sheet) const
     {
+        sheet = fine(std::move(sheet), someTriangles);
         const Halves halves = halvesOf(sheet, m_stop);
         if (halves.ofTriangles.empty())
             return {};
@@ -441,8 +482,10 @@ private:
     FormCuts m_cuts;
     FormPatternOrder m_order;
     double m_limit, m_least; // mm^2
+    const DivisionProgress& m_progress;
     std::stop_token m_stop;
     int m_divisions = 0;
+    int m_found = 0; // pieces that lie flat
 };
 
 } // namespace
@@ -452,11 +495,12 @@ double bearableStrain(const Fabric& fabric)
     return std::min(fabric.limits.along, fabric.limits.across) / 100;
 }
 
-Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop)
+Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop,
+             const DivisionProgress& progress)
 {
     if (form.pieces.empty() && form.refused.empty())
         return form;
-    return Divider(form, order, stop).divided(form);
+    return Divider(form, order, progress, stop).divided(form);
 }
 
 } // namespace bolster

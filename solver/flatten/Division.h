@@ -3,15 +3,21 @@
 
 #include "FormPattern.h"
 
+#include <functional>
+
 namespace bolster {
 
 /// The strain that a fabric bears along its grain and across it; 1.
 double bearableStrain(const Fabric& fabric);
 
+/// How many pieces that lie flat were found, some of which become one again.
+using DivisionProgress = std::function<void(int pieces)>;
+
 /// Divides pieces that are closed all around, have a handle, would lie over themselves or be strained by more than
-/// the fabric bears (by 99 % of their area) when they lie on the form, until there are none, or they are too small
-/// for the edges of the cover. Whatever cuts the form anyway stays. The form as it is where that is not what is
-/// wrong with it. When stopped it means nothing.
-Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop = {});
+/// the fabric bears (in more than a hundredth of their area) when they lie on the form, until there are none, or
+/// they are too small for the edges of the cover. Whatever cuts the form anyway stays. The form as it is where that
+/// is not what is wrong with it, or when stopped.
+Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop = {},
+             const DivisionProgress& progress = {});
 
 } // namespace bolster

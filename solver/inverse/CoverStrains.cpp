@@ -60,15 +60,19 @@ CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec
     return coverStrains(topology, places, design, limit, all);
 }
 
+Eigen::VectorXd squaresOver(const CoverStrains& limits, const Eigen::Matrix3Xd& strains)
+{
+    return (strains.array().abs() - limits.limits.array()).max(0).square().colwise().sum().transpose();
+}
+
 OverLimit overLimit(const CoverStrains& strains)
 {
-    const Eigen::Array3Xd over = (strains.strains.array().abs() - strains.limits.array()).max(0);
-    const Eigen::RowVectorXd energies = over.square().colwise().sum();
+    const Eigen::VectorXd squares = squaresOver(strains, strains.strains);
     const double all = strains.areas.sum();
     if (!(all > 0))
         return {};
-    return {energies.dot(strains.areas) / all,
-            (energies.array() > 0).cast<double>().matrix().dot(strains.areas) / all};
+    return {squares.dot(strains.areas) / all,
+            (squares.array() > 0).cast<double>().matrix().dot(strains.areas) / all};
 }
 
 } // namespace bolster

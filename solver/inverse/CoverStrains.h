@@ -26,6 +26,9 @@ CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec
 CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design,
                           const std::optional<double>& limit);
 
+/// Of each triangle: the sum of the squares of what is over the limits, 1. `strains` in place of those.
+Eigen::VectorXd squaresOver(const CoverStrains& limits, const Eigen::Matrix3Xd& strains);
+
 struct OverLimit {
     double energy = 0; ///< mean over the area of the squares of what is over the limit, 1
     double area = 0;   ///< share of it where something is

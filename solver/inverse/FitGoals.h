@@ -25,6 +25,7 @@ FitTarget targetOf(const Scan& scan, const PointCloud& cloud);
 
 /// No scan pulls at the cover of this one: it is the cover that the pattern alone makes, which goals are about.
 Design withoutPulls(const Design& design);
+bool hasPulls(const Design& design);
 /// They differ at most in what pulls.
 bool hasSameCover(const Design& a, const Design& b);
 
@@ -54,6 +55,7 @@ struct FitArea {
     std::set<ElementId> patches;
     std::vector<AreaSpot> spots; ///< of the pattern as it was when they were painted
 
+    bool isAll() const { return patches.empty() && spots.empty(); }
     bool hasWhole(ElementId patch) const;
     bool hasAny(ElementId patch) const;
     bool has(ElementId patch, const Vec2& place) const;

@@ -149,7 +149,7 @@ bool strainsForLittle(const FitFigures& before, const FitFigures& after)
 
 bool FitArea::hasWhole(ElementId patch) const
 {
-    return (patches.empty() && spots.empty()) || patches.contains(patch);
+    return isAll() || patches.contains(patch);
 }
 
 Design withoutPulls(const Design& design)
@@ -163,6 +163,13 @@ Design withoutPulls(const Design& design)
         result = result.with({{}, {{id, design.element(id), makeElement(std::move(still))}}});
     });
     return result;
+}
+
+bool hasPulls(const Design& design)
+{
+    bool pulls = false;
+    design.each<Scan>([&](ElementId, const Scan& scan) { pulls = pulls || scan.enabled; });
+    return pulls;
 }
 
 bool hasSameCover(const Design& a, const Design& b)
@@ -268,8 +275,7 @@ std::vector<double> FitRows::unwantedStrain(const SurfaceTopology& topology, con
         ends.push_back(std::ssize(triangles));
     }
     const CoverStrains found = coverStrains(topology, places, m_design, std::nullopt, triangles);
-    const Eigen::Array3Xd over = (found.strains.array().abs() - found.limits.array()).max(0);
-    const Eigen::VectorXd squares = over.square().colwise().sum().transpose().matrix().cwiseProduct(found.areas);
+    const Eigen::VectorXd squares = squaresOver(found, found.strains).cwiseProduct(found.areas);
     std::vector<double> ofPatch;
     Eigen::Index first = 0;
     for (const Eigen::Index end : ends) {

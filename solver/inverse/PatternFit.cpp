@@ -190,6 +190,11 @@ private:
             return false;
         m_rows.keep(*cover);
         m_result.before = m_rows.figures(*cover, m_input.design);
+        if (!m_order.goals.target.empty() && m_result.before.covered == 0 && !m_order.goals.area.isAll())
+            return fail(
+                {QT_TRANSLATE_NOOP("Message", "No vertex of the area is near the form: make the area larger "
+                                              "than the mesh edges, or put the form where the cover is."),
+                 {}});
         if (!m_order.goals.target.empty() && m_result.before.covered == 0)
             return fail({QT_TRANSLATE_NOOP("Message", "No place of the cover is near the form: put it where the "
                                                       "cover is, in millimetres."),

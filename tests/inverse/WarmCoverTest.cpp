@@ -276,6 +276,8 @@ TEST(WarmCover, NoScanPullsAtIt)
     scan.name = "Built";
     const Design right = b.design(), pulled = right.with({{}, {{right.nextId(), nullptr, makeElement(scan)}}});
     EXPECT_TRUE(withoutPulls(right) == right);
+    EXPECT_FALSE(hasPulls(right));
+    EXPECT_TRUE(hasPulls(pulled));
     int scans = 0;
     withoutPulls(pulled).each<Scan>([&](ElementId, const Scan& still) { scans += !still.enabled; });
     EXPECT_EQ(scans, 1);

@@ -327,8 +327,7 @@ std::string reachedText(const FitGoals& goals, const FitFigures& figures)
                 numberText(figures.distanceP95, 3) + " mm within 95 %";
     if (goals.strain)
         text += (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) +
-                (goals.area.patches.empty() && goals.area.spots.empty() ? " % of the cover over the limit"
-                                                                        : " % of the area over the limit");
+                (goals.area.isAll() ? " % of the cover over the limit" : " % of the area over the limit");
     if (!goals.smooth.empty())
         text.append(text.empty() ? "" : "; ")
             .append(numberText(100 * figures.pressed, 3))

@@ -49,7 +49,7 @@ FitTarget scanOf(const OpenedDesign& opened, const std::string& option)
 
 void sayOfPulls(const Design& design)
 {
-    if (!(withoutPulls(design) == design))
+    if (hasPulls(design))
         printError(
             "warning: the cover of this design is pulled to a scan (\"enabled\"); here it counts as the pattern "
             "alone makes it");

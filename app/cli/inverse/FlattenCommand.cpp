@@ -38,7 +38,8 @@ Options:
                         on smoothly in each other; a mesh, which knows none, where it
                         bends by more than the triangles of one face do (21 degrees)
   --along DESIGN        and along the fixation curves of this design
-  --divide              and wherever it would not lie flat, or be strained by more than 8 %
+  --divide              and wherever it would not lie flat, or a hundredth of a piece be
+                        strained by more than 8 %
   --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
   --grain DIRECTION     of the grain line: up (the usual way), back or side on the form,
                         or an angle in the pattern, degrees
@@ -176,7 +177,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
                 numberText(size.z(), 3) + " mm large");
     if (size.maxCoeff() < smallestForm && !arguments.has("--unit"))
-        printError("warning: that is small for a cover; --unit says what the numbers in the file are");
+        printError(
+            "warning: that is small for a cover; --unit says what the numbers in the file are, such as --unit m");
     ReadForm read;
     {
         ProgressLine line("cutting the form");
@@ -184,7 +186,13 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     }
     if (arguments.has("--divide")) {
         ProgressLine line("dividing the form");
-        read.form = divided(read.form, order, stop);
+        read.form = divided(read.form, order, stop, [&](int pieces) {
+            line.say("dividing the form (" + counted(pieces, "piece") + " so far)");
+        });
+    }
+    if (stop.stop_requested()) {
+        printError("error: interrupted");
+        return {{}, otherFailure};
     }
     printWarnings(read.form.notes);
     if (read.form.problem.empty())
@@ -231,7 +239,8 @@ std::string percent(double strain)
     return numberText(strain < 1e-6 ? 0 : 100 * strain, 2);
 }
 
-void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made, bool divided)
+void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made, bool divided,
+                 double limit)
 {
     for (std::size_t p = 0; p < flat.size(); ++p) {
         std::string line = form.pieces[p].name;
@@ -241,11 +250,14 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
         }
         line.append(": ").append(numberText(flat[p].area / 1e6, 3)).append(" m2, strain ");
         line.append(percent(flat[p].strainRms)).append(" % rms, ");
+        line.append(percent(flat[p].strainP99)).append(" % within 99 % of it, ");
         line.append(percent(flat[p].strainMost)).append(" % at most");
         printResult(line);
     }
     double all = 0, leftOut = 0;
+    std::int64_t over = 0;
     for (std::size_t p = 0; p < flat.size(); ++p) {
+        over += made.patches[p] != noElement && flat[p].strainP99 > limit;
         all += formArea(form, form.pieces[p]);
         leftOut += made.patches[p] == noElement ? formArea(form, form.pieces[p]) : 0;
     }
@@ -253,6 +265,9 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
         printError(
             "warning: " + numberText(100 * leftOut / all, 3) + " % of the form's area are left out; " +
             (divided ? "a shorter --edge lets smaller pieces be divided" : "--divide finds where to divide it"));
+    if (over > 0)
+        printError("warning: " + counted(over, "piece") + " strained by more than " + percent(limit) +
+                   " % in more than a hundredth of the area");
     double widest = 0;
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
@@ -305,7 +320,7 @@ int flattenForm(std::span<const std::string> words)
         printError("error: none of it can be laid flat, so there is no pattern");
         return badInput;
     }
-    printPieces(form, flat, made, arguments.has("--divide"));
+    printPieces(form, flat, made, arguments.has("--divide"), bearableStrain(order.fabric));
     interrupt.beginWriting();
     const bool written = writeNewAndSay(out, writeDesign(made.design)) &&
                          (report.isEmpty() || writeAndSay(report, reportOf(form, flat, made).dump(1) + "\n"));

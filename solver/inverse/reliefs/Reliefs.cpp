@@ -46,8 +46,7 @@ public:
     double energyAt(double amount)
     {
         const Eigen::Matrix3Xd strains = m_strains.strains + amount * m_slope + amount * amount * m_bend;
-        const Eigen::Array3Xd over = (strains.array().abs() - m_strains.limits.array()).max(0);
-        return over.square().colwise().sum().matrix().dot(m_strains.areas) / m_strains.areas.sum();
+        return squaresOver(m_strains, strains).dot(m_strains.areas) / m_strains.areas.sum();
     }
 
 private:
