@@ -454,7 +454,10 @@ private:
         Seam seam;
         seam.a = stretchOf(p, r);
         seam.b = stretchOf(row.matePiece, row.mateRow);
-        seam.continuity = bendAlong(p, row) < m_order.hardEdge ? Continuity::G1 : Continuity::C0;
+        // Of a piece with itself, as a tube's, the solver rounds a plain seam by itself, and finds the tube from
+        // farther away.
+        const bool rounded = row.matePiece != static_cast<int>(p) && bendAlong(p, row) < m_order.hardEdge;
+        seam.continuity = rounded ? Continuity::G1 : Continuity::C0;
         const double a = lengthOf(p, seam.a), b = lengthOf(row.matePiece, seam.b);
         m_result.seams.push_back({m_builder.add(seam), a, b});
     }

@@ -68,12 +68,29 @@ private:
                     oneSided = oneSided || m_turn[other] != fits;
                 }
         const auto wrong = std::ranges::count_if(sheet, [&](std::size_t t) { return m_turn[t] == 1; });
-        const signed char less = 2 * wrong > std::ssize(sheet) ? 0 : 1;
+        const bool turnsOthers = isClosed(sheet) ? volumeOf(sheet) < 0 : 2 * wrong > std::ssize(sheet);
+        const signed char less = turnsOthers ? 0 : 1;
         for (const std::size_t t : sheet)
             if (m_turn[t] == less) {
                 std::swap(m_form.triangles[t][1], m_form.triangles[t][2]);
                 ++turned;
             }
+    }
+
+    bool isClosed(const std::vector<std::size_t>& sheet) const
+    {
+        return std::ranges::all_of(sheet, [&](std::size_t t) { return m_neighbours[t].size() == 3; });
+    }
+
+    /// That it encloses, times 6, when what is to be turned is; negative where its inside is outside.
+    double volumeOf(const std::vector<std::size_t>& sheet) const
+    {
+        double volume = 0;
+        for (const std::size_t t : sheet) {
+            const auto at = [&](std::size_t k) -> const Vec3& { return m_form.points[m_form.triangles[t][k]]; };
+            volume += (m_turn[t] == 1 ? -1 : 1) * at(0).dot(at(1).cross(at(2)));
+        }
+        return volume;
     }
 
     static constexpr signed char unknown = -1;

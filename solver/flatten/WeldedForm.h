@@ -26,7 +26,8 @@ struct WeldedForm {
 
 WeldedForm weld(const TriangleMesh& mesh);
 
-/// Neighbours run along a common edge in opposite directions afterwards; each sheet as most of it does already.
+/// Neighbours run along a common edge in opposite directions afterwards; each sheet as most of it does already, or,
+/// if it is closed, with its outside outside.
 void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_token& stop);
 
 /// Sheets that meet in a point, in an edge of three faces or with their wrong sides part there, so that each is a

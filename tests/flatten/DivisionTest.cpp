@@ -112,6 +112,22 @@ TEST(Division, ABoxIsCutAlongItsEdges)
     expectLiesFlat(form, order);
 }
 
+TEST(Division, TheInsideOfAClosedFormIsInside)
+{
+    TriangleMesh box = closedBox();
+    for (auto& [a, b, c] : box.triangles)
+        std::swap(b, c);
+    for (const TriangleMesh& mesh : {closedBox(), box}) {
+        const Form form = divided(cutForm(mesh, {}), {});
+        const Vec3 middle(200, 150, 60);
+        for (const FormPiece& piece : form.pieces)
+            for (const auto& [a, b, c] : piece.triangles) {
+                const auto at = [&](int vertex) { return form.points[piece.points[vertex]]; };
+                EXPECT_GT((at(b) - at(a)).cross(at(c) - at(a)).dot(at(a) - middle), 0);
+            }
+    }
+}
+
 TEST(Division, WhatLiesFlatStaysAsItIs)
 {
     const Form pipe = cutForm(halfPipe(100, 200), {});

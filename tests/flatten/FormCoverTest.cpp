@@ -5,6 +5,7 @@
 #include "FormPattern.h"
 #include "PointCloud.h"
 #include "RestingSolve.h"
+#include "TestForms.h"
 #include "TruthForms.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,19 @@ void expectCoverOnForm(const TriangleMesh& mesh)
 TEST(FormCover, OfTheArmchairsBodyLiesOnIt)
 {
     expectCoverOnForm(armchairForm());
+}
+
+/// With a rounded seam the tube's cover stayed dented.
+TEST(FormCover, OfATubeIsThatTube)
+{
+    const Form form = cutForm(ringMesh(100, 100, 500), {});
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    const SolveResult solved = solveResting(made.design, {});
+    ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
+    EXPECT_EQ(solved.report.flippedTriangles, 0);
+    EXPECT_LT(solved.report.strain.rms, 0.005);
+    for (const Vec3& at : solved.surface->positions)
+        EXPECT_NEAR(at.head<2>().norm(), 100, 1);
 }
 
 TEST(FormCover, OfTheCarSeatLiesOnIt)
