@@ -5989,6 +5989,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>Was ringsum geschlossen ist, hat keinen Rand zum Festhalten: Sein Bezug ist entlang seiner Nähte befestigt. Löschen Sie die Befestigungen derer, die frei sein sollen</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>Kein Eckpunkt des Bereichs ist nahe bei der Form: Machen Sie den Bereich größer als die Netzkanten, oder bringen Sie die Form dorthin, wo der Bezug ist.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9470,13 +9474,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n Teil ist irgendwo stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie es oder schneiden Sie es dort ein.</numerusform>
-            <numerusform>%n Teile sind irgendwo stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>Ohne das Weggelassene &amp;machen</translation>
@@ -9559,6 +9556,32 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>Teile, die über sich selbst lägen oder stärker gedehnt würden, als der Stoff darf, werden geteilt, wo sie sich am meisten biegen oder schmal sind; ein Sessel braucht einige Sekunden</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Sie wird wieder flach gelegt, wenn Sie loslassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Wird geteilt, bisher %n Teil …</numerusform>
+            <numerusform>Wird geteilt, bisher %n Teile …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n Teil ist auf mehr als einem Hundertstel seiner Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie es oder schneiden Sie es dort ein.</numerusform>
+            <numerusform>%n Teile sind auf mehr als einem Hundertstel ihrer Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>Sein Bezug wird etwa %1 Eckpunkte haben und seine Zeit brauchen: Mit Netzkanten von %2 ist er lebendiger.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Damit der Bezug nicht in das Gestell sinkt, setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“.</translation>
     </message>
 </context>
 <context>
@@ -10538,10 +10561,6 @@
         <translation>Neben der gewünschten Fläche: %1 vorher, %2 jetzt</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren:</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nichts liegt über den Grenzen: Es gibt nichts zu tun.</translation>
     </message>
@@ -10600,6 +10619,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Angehalten. Was bis dahin gefunden wurde, macht es nicht besser: Nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren, auf allen Dreiecken neu gemessen:</translation>
     </message>
 </context>
 <context>

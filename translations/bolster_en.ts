@@ -146,17 +146,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n piece is somewhere strained by more than the fabric may be (yellow): divide it, or cut it in there.</numerusform>
-            <numerusform>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>and %n more are left out, too</source>
         <translation>
             <numerusform>and %n more is left out, too</numerusform>
             <numerusform>and %n more are left out, too</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Dividing it, %n piece so far …</numerusform>
+            <numerusform>Dividing it, %n pieces so far …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n piece is strained by more than the fabric may be in more than a hundredth of its area (yellow): divide it, or cut it in there.</numerusform>
+            <numerusform>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</numerusform>
         </translation>
     </message>
 </context>

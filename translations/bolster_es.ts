@@ -5989,6 +5989,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>Lo que está cerrado por completo no tiene borde por el que sujetarlo: su funda se fija a lo largo de sus costuras. Borre las fijaciones de las que deban quedar libres</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>Ningún vértice de la zona está cerca de la forma: agrande la zona por encima de las aristas de la malla o ponga la forma donde está la funda.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9470,13 +9474,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>La más deformada: %1, %2 (RMS)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n pieza se deforma en algún punto más de lo que admite la tela (amarillo): divídala o córtela allí.</numerusform>
-            <numerusform>%n piezas se deforman en algún punto más de lo que admite la tela (amarillo): divídalas o córtelas allí.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Hacerlo sin lo omitido</translation>
@@ -9559,6 +9556,32 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>Las piezas que quedarían sobre sí mismas, o se estirarían más de lo que admite la tela, se dividen donde más se doblan o son estrechas; un sillón tarda unos segundos</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Se volverá a aplanar cuando suelte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Dividiendo, %n pieza hasta ahora …</numerusform>
+            <numerusform>Dividiendo, %n piezas hasta ahora …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n pieza se deforma en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídala o córtela allí.</numerusform>
+            <numerusform>%n piezas se deforman en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídalas o córtelas allí.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>Su funda tendrá unos %1 vértices y tardará: con aristas de malla de %2 es más ágil.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Para que la funda no se hunda en el armazón, marque «Mantiene la funda fuera» en el armazón.</translation>
     </message>
 </context>
 <context>
@@ -10538,10 +10561,6 @@
         <translation>Respecto al área deseada: antes %1, ahora %2</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>Detenido. Con todos los cambios encontrados hasta entonces:</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nada supera los límites: no hay nada que hacer.</translation>
     </message>
@@ -10600,6 +10619,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Detenido. Lo hallado hasta entonces no lo mejora: nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>Detenido. Con todos los cambios encontrados hasta entonces, medidos de nuevo en todos los triángulos:</translation>
     </message>
 </context>
 <context>

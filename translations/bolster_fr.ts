@@ -5989,6 +5989,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>Ce qui est fermé tout autour n’a pas de bord par lequel le tenir&#x202f;: sa housse est fixée le long de ses coutures. Supprimez les fixations de celles qui doivent rester libres</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>Aucun sommet de la zone n’est près de la forme&#x202f;: agrandissez la zone au-delà des arêtes du maillage, ou placez la forme là où est la housse.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9470,13 +9474,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>La plus déformée&#x202f;: %1, %2 (RMS)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n pièce est par endroits plus déformée que le tissu ne l’admet (jaune)&#x202f;: divisez-la, ou entaillez-la là.</numerusform>
-            <numerusform>%n pièces sont par endroits plus déformées que le tissu ne l’admet (jaune)&#x202f;: divisez-les, ou entaillez-les là.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Faire sans ce qui est omis</translation>
@@ -9559,6 +9556,32 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>Les pièces qui se recouvriraient, ou seraient plus étirées que le tissu ne l’admet, sont divisées là où elles se plient le plus ou sont étroites&#x202f;; un fauteuil prend quelques secondes</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Elle sera remise à plat quand vous relâcherez.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Division, %n pièce jusqu’ici …</numerusform>
+            <numerusform>Division, %n pièces jusqu’ici …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n pièce est, sur plus d’un centième de sa surface, plus déformée que le tissu ne l’admet (jaune) : divisez-la, ou entaillez-la là.</numerusform>
+            <numerusform>%n pièces sont, sur plus d’un centième de leur surface, plus déformées que le tissu ne l’admet (jaune) : divisez-les, ou entaillez-les là.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>Sa housse aura environ %1 sommets et prendra du temps&#x202f;: avec des arêtes de maillage de %2 elle est plus vive.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Pour que la housse ne s’enfonce pas dans l’armature, cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature.</translation>
     </message>
 </context>
 <context>
@@ -10538,10 +10561,6 @@
         <translation>Écart à l’aire voulue&#x202f;: %1 avant, %2 maintenant</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>Arrêté. Avec toutes les modifications trouvées jusque-là&#x202f;:</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Rien ne dépasse les limites&#x202f;: il n’y a rien à faire.</translation>
     </message>
@@ -10600,6 +10619,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Arrêté. Ce qui a été trouvé jusque-là ne l’améliore pas&#x202f;: rien n’a changé.</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>Arrêté. Avec toutes les modifications trouvées jusque-là, mesurées à nouveau sur tous les triangles&#x202f;:</translation>
     </message>
 </context>
 <context>

@@ -5989,6 +5989,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>Ciò che è chiuso tutto intorno non ha un bordo a cui tenerlo: il suo rivestimento è fissato lungo le cuciture. Eliminate i fissaggi di quelle che devono restare libere</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>Nessun vertice dell’area è vicino alla forma: ingrandire l’area oltre gli spigoli della maglia, o mettere la forma dove si trova il rivestimento.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9470,13 +9474,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>Più deformato: %1, %2 (rms)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n pezzo è in qualche punto deformato più di quanto ammette il tessuto (giallo): dividerlo o inciderlo lì.</numerusform>
-            <numerusform>%n pezzi sono in qualche punto deformati più di quanto ammette il tessuto (giallo): dividerli o inciderli lì.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Crea senza ciò che è omesso</translation>
@@ -9559,6 +9556,32 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>I pezzi che si sovrapporrebbero, o si tenderebbero più di quanto il tessuto consente, sono divisi dove si piegano di più o sono stretti; una poltrona richiede alcuni secondi</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Sarà stesa di nuovo in piano al rilascio.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Divisione, %n pezzo finora …</numerusform>
+            <numerusform>Divisione, %n pezzi finora …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n pezzo è deformato su più di un centesimo della sua superficie più di quanto ammette il tessuto (giallo): dividerlo o inciderlo lì.</numerusform>
+            <numerusform>%n pezzi sono deformati su più di un centesimo della loro superficie più di quanto ammette il tessuto (giallo): dividerli o inciderli lì.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>Il suo rivestimento avrà circa %1 vertici e richiederà tempo: con spigoli della maglia di %2 è più vivace.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Perché il rivestimento non affondi nel telaio, spuntare «Tiene fuori il rivestimento» nel telaio.</translation>
     </message>
 </context>
 <context>
@@ -10538,10 +10561,6 @@
         <translation>Dall’area voluta: %1 prima, %2 ora</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>Fermato. Con tutte le modifiche trovate fino a quel momento:</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Niente supera i limiti: non c’è nulla da fare.</translation>
     </message>
@@ -10600,6 +10619,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Fermato. Quanto trovato finora non lo migliora: nulla è cambiato.</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>Fermato. Con tutte le modifiche trovate fino a quel momento, misurate di nuovo su tutti i triangoli:</translation>
     </message>
 </context>
 <context>

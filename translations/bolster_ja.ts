@@ -5985,6 +5985,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>全周が閉じたものには留める縁がないため、カバーを縫い目に沿って固定しました。自由にする縫い目の固定は削除してください</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>範囲の頂点が形状の近くにありません。範囲をメッシュの辺より大きくするか、形状をカバーのある場所に置いてください。</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9454,12 +9458,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>最大ひずみ: %1、%2 (RMS)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n 個のパーツに、生地の許容を超えるひずみがあります (黄色)。分割するか、そこに切り込みを入れてください。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>除外したもの以外で作成(&amp;M)</translation>
@@ -9541,6 +9539,30 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>自身と重なるパーツや、生地の許容を超えて伸びるパーツを、最も曲がる所や細い所で分割します。肘掛け椅子で数秒かかります</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>放すと、もう一度平らに展開します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>分割中、これまでに %n 個 …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n 個のパーツで、面積の 100 分の 1 を超える所に生地の許容を超えるひずみがあります (黄色)。分割するか、そこに切り込みを入れてください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>カバーの頂点は約 %1 個になり、時間がかかります。メッシュの辺を %2 にすると軽くなります。</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>カバーがフレームに沈まないようにするには、フレームで「カバーを外側に保つ」にチェックを入れてください。</translation>
     </message>
 </context>
 <context>
@@ -10510,10 +10532,6 @@
         <translation>目標の面積との差: 変更前 %1、現在 %2</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>停止しました。それまでに見つかった変更をすべて適用した場合:</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>限度を超える箇所はありません。変更は不要です。</translation>
     </message>
@@ -10572,6 +10590,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>停止しました。それまでに見つかった変更では改善しません。何も変更されていません。</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>停止しました。それまでに見つかった変更をすべて適用し、すべての三角形で測り直した場合:</translation>
     </message>
 </context>
 <context>

@@ -5993,6 +5993,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>Co jest zamknięte dookoła, nie ma brzegu do trzymania: pokrowiec jest przymocowany wzdłuż szwów. Usuń mocowania tych, które mają być wolne</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>Żaden wierzchołek obszaru nie jest blisko formy: powiększ obszar ponad krawędzie siatki albo umieść formę tam, gdzie pokrowiec.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9486,14 +9490,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>Najbardziej odkształcony: %1, %2 (RMS)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n element jest miejscami odkształcony bardziej, niż pozwala materiał (żółty): podziel go lub tam natnij.</numerusform>
-            <numerusform>%n elementy są miejscami odkształcone bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
-            <numerusform>%n elementów jest miejscami odkształconych bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Utwórz bez pominiętego</translation>
@@ -9577,6 +9573,34 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>Kawałki, które nachodziłyby same na siebie lub byłyby rozciągnięte bardziej, niż tkanina pozwala, są dzielone tam, gdzie najbardziej się zaginają lub są wąskie; fotel zajmuje kilka sekund</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Zostanie ponownie rozłożona, gdy puścisz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Dzielenie, dotąd %n kawałek …</numerusform>
+            <numerusform>Dzielenie, dotąd %n kawałki …</numerusform>
+            <numerusform>Dzielenie, dotąd %n kawałków …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n element jest na ponad jednej setnej powierzchni odkształcony bardziej, niż pozwala materiał (żółty): podziel go lub tam natnij.</numerusform>
+            <numerusform>%n elementy są na ponad jednej setnej powierzchni odkształcone bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
+            <numerusform>%n elementów jest na ponad jednej setnej powierzchni odkształconych bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>Jego pokrowiec będzie miał około %1 wierzchołków i zajmie to czas: z krawędziami siatki %2 jest żywszy.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Aby pokrowiec nie zapadał się w stelaż, zaznacz przy stelażu „Nie wpuszcza pokrowca”.</translation>
     </message>
 </context>
 <context>
@@ -10566,10 +10590,6 @@
         <translation>Odchyłka od żądanej powierzchni: %1 przedtem, %2 teraz</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili:</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>Nic nie przekracza granic: nie ma nic do zrobienia.</translation>
     </message>
@@ -10628,6 +10648,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Zatrzymano. To, co dotąd znaleziono, niczego nie poprawia: nic się nie zmieniło.</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili, zmierzonymi na nowo na wszystkich trójkątach:</translation>
     </message>
 </context>
 <context>

@@ -5985,6 +5985,10 @@
         <source>What is closed all around has no border to be held at: its cover is fixed along its seams. Delete the fixations of those that are to be free</source>
         <translation>完全封闭的部分没有可固定的边缘：其面套沿缝固定。需要自由的缝，请删除其固定</translation>
     </message>
+    <message>
+        <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
+        <translation>区域内没有顶点靠近形体：请使区域大于网格边长，或将形体放到面套所在处。</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9454,12 +9458,6 @@
         <source>Most strained: %1, %2 (rms)</source>
         <translation>应变最大：%1，%2（均方根）</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are somewhere strained by more than the fabric may be (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n 个样片有处应变超出面料允许值（黄色）：请将其划分，或在该处切开。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Make it without what is left out</source>
         <translation>不含略去部分生成(&amp;M)</translation>
@@ -9541,6 +9539,30 @@
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
         <translation>会与自身重叠或拉伸超过面料允许值的样片，在弯折最大或狭窄处划分；一张扶手椅需几秒钟</translation>
+    </message>
+    <message>
+        <source>It is laid flat again when you let go.</source>
+        <translation>松开后会重新展平。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>正在划分，目前 %n 片 …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n 个样片有超过百分之一的面积应变超出面料允许值（黄色）：请将其划分，或在该处切开。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
+        <translation>其面套将有约 %1 个顶点，需要一些时间：网格边长取 %2 会更流畅。</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>为使面套不陷入骨架，请在骨架处勾选“挡住面套”。</translation>
     </message>
 </context>
 <context>
@@ -10510,10 +10532,6 @@
         <translation>与目标面积相差：之前 %1，现在 %2</translation>
     </message>
     <message>
-        <source>Stopped. With all of the changes that were found until then:</source>
-        <translation>已停止。采用到此为止找到的全部更改：</translation>
-    </message>
-    <message>
         <source>Nothing is over the limits: there is nothing to do.</source>
         <translation>没有超出限度之处：无需更改。</translation>
     </message>
@@ -10572,6 +10590,10 @@
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>已停止。此前找到的更改并没有改善：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
+        <translation>已停止。采用到此为止找到的全部更改，并在所有三角形上重新测量：</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "FramePieces.h"
 #include "Jobs.h"
 #include "NumberBox.h"
+#include "PatternSize.h"
 #include "SolverLink.h"
 #include "Translated.h"
 #include "Units.h"
@@ -23,6 +24,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -33,14 +35,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace bolster {
 
 namespace {
 
-constexpr double besidePattern = 100; // mm
-constexpr int mostLinesSaid = 9;      // that are seen at once
-constexpr std::size_t mostNotes = 5;  // of pieces that are left out
+constexpr double besidePattern = 100;   // mm
+constexpr int mostLinesSaid = 9;        // that are seen at once
+constexpr double manyVertices = 60'000; // of a cover
+constexpr std::size_t mostNotes = 5;    // of pieces that are left out
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -536,6 +540,13 @@ void FormPatternWindow::say()
         lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
                     "(yellow): divide them, or cut them in there.",
                     nullptr, over);
+    const double area = patternArea(m_made->pattern.design);
+    if (const double vertices = vertexCount(area, m_document.design().settings().edgeLength);
+        vertices > manyVertices)
+        lines
+            << tr("Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.")
+                   .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
+                        lengthText(std::ceil(edgeLengthFor(area, manyVertices)), 0));
     if (frame() && whole > 0 && !frame()->contact)
         lines << tr(
             "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");

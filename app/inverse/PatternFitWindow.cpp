@@ -176,7 +176,8 @@ void PatternFitWindow::stop()
     m_job.cancel();
     setRunning(false);
     if (m_reached.result.values.size() > 0 && !m_reached.result.values.isZero())
-        show(std::move(m_reached), tr("Stopped. With all of the changes that were found until then:"),
+        show(std::move(m_reached),
+             tr("Stopped. With all of the changes that were found until then, measured anew on all triangles:"),
              std::nullopt); // found on few triangles, perhaps, on which covers are others
     else
         m_said->setText(tr("Stopped; nothing has changed."));
