@@ -27,7 +27,7 @@ constexpr int roundsOfSmoothing = 30;
 constexpr double sharpBend = 15;  // degrees
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
-double areaOf(const Sheet& sheet)
+double areaOf(const FormSheet& sheet)
 {
     double area = 0;
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
@@ -36,9 +36,9 @@ double areaOf(const Sheet& sheet)
 }
 
 /// By points of the form: where it is only cut open it hangs together.
-Sheet sheetOf(const std::vector<Vec3>& points, const FormPiece& piece)
+FormSheet sheetOf(const std::vector<Vec3>& points, const FormPiece& piece)
 {
-    Sheet sheet;
+    FormSheet sheet;
     std::map<int, int> numbers;
     for (const Triangle& corners : piece.triangles) {
         Triangle& named = sheet.triangles.emplace_back();
@@ -75,14 +75,14 @@ private:
 };
 
 /// Triangles become four, but for those at the border, whose edges stay as the neighbours have them.
-Sheet refined(const Sheet& sheet)
+FormSheet refined(const FormSheet& sheet)
 {
     std::set<std::pair<int, int>> inside;
     eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
         if (last - first == 2)
             inside.emplace(first->low, first->high);
     });
-    Sheet fine{sheet.points, {}};
+    FormSheet fine{sheet.points, {}};
     Between between(fine.points);
     for (const Triangle& corners : sheet.triangles) {
         std::vector<int> around;  // the triangle with the middles of its edges, once around,
@@ -116,7 +116,7 @@ Sheet refined(const Sheet& sheet)
 }
 
 /// So fine that lines need not follow the edges of its triangles.
-Sheet fine(Sheet sheet, std::size_t triangles)
+FormSheet fine(FormSheet sheet, std::size_t triangles)
 {
     for (int k = 0; k < mostRefinements && sheet.triangles.size() < triangles; ++k)
         sheet = refined(sheet);
@@ -124,7 +124,7 @@ Sheet fine(Sheet sheet, std::size_t triangles)
 }
 
 /// Points of edges that bend, and part the halves: the line goes along there.
-std::vector<bool> onBends(const Sheet& sheet, const std::vector<double>& ofTriangles)
+std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofTriangles)
 {
     std::vector<bool> on(sheet.points.size(), false);
     const double bend = std::cos(sharpBend * std::numbers::pi / 180);
@@ -139,7 +139,7 @@ std::vector<bool> onBends(const Sheet& sheet, const std::vector<double>& ofTrian
 }
 
 /// A line with a little of each point's neighbours is not as jagged.
-std::vector<double> smoothed(const Sheet& sheet, const Halves& halves)
+std::vector<double> smoothed(const FormSheet& sheet, const Halves& halves)
 {
     std::vector<double> values = halves.ofPoints;
     const std::vector<bool> stays = onBends(sheet, halves.ofTriangles);
@@ -162,7 +162,7 @@ std::vector<double> smoothed(const Sheet& sheet, const Halves& halves)
 }
 
 /// No part of a triangle shall be a splinter; and borders get no new points, which their neighbours would not have.
-void goThroughCorners(const Sheet& sheet, std::vector<double>& values)
+void goThroughCorners(const FormSheet& sheet, std::vector<double>& values)
 {
     eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
         double &a = values[first->low], &b = values[first->high];
@@ -178,7 +178,7 @@ void goThroughCorners(const Sheet& sheet, std::vector<double>& values)
 
 using TwoParts = std::array<std::vector<Triangle>, 2>;
 
-TwoParts alongEdges(const Sheet& sheet, const std::vector<double>& values)
+TwoParts alongEdges(const FormSheet& sheet, const std::vector<double>& values)
 {
     TwoParts halves;
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
@@ -187,7 +187,7 @@ TwoParts alongEdges(const Sheet& sheet, const std::vector<double>& values)
 }
 
 /// New points are added to the sheet.
-TwoParts acrossTriangles(Sheet& sheet, const Halves& halvesOfIt)
+TwoParts acrossTriangles(FormSheet& sheet, const Halves& halvesOfIt)
 {
     std::vector<double> values = smoothed(sheet, halvesOfIt);
     goThroughCorners(sheet, values);
@@ -218,7 +218,7 @@ TwoParts acrossTriangles(Sheet& sheet, const Halves& halvesOfIt)
 }
 
 /// Adds triangles of a part to a mesh.
-void append(TriangleMesh& mesh, const Sheet& sheet, const std::string& part)
+void append(TriangleMesh& mesh, const FormSheet& sheet, const std::string& part)
 {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     mesh.parts.push_back({part, static_cast<std::uint32_t>(mesh.triangles.size()),
@@ -247,7 +247,7 @@ std::vector<std::vector<Vec3>> slitsOf(const Form& form)
     return rows;
 }
 
-Sheet together(Sheet sheet, const Sheet& other)
+FormSheet together(FormSheet sheet, const FormSheet& other)
 {
     const int first = static_cast<int>(sheet.points.size());
     sheet.points.insert(sheet.points.end(), other.points.begin(), other.points.end());
@@ -294,7 +294,7 @@ public:
             bad[p] = bad[p] || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
         if (std::ranges::count(bad, true) == 0)
             return form;
-        Form now = divided(form.points, pieces, bad, [&](Sheet sheet) {
+        Form now = divided(form.points, pieces, bad, [&](FormSheet sheet) {
             return joined(flatParts(fine(std::move(sheet), manyTriangles)), false);
         });
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
@@ -302,7 +302,7 @@ public:
             const std::vector<bool> still = badTogether(now);
             const int before = m_divisions;
             if (std::ranges::count(still, true) > 0)
-                now = divided(now.points, now.pieces, still, [&](const Sheet& sheet) { return parts(sheet); });
+                now = divided(now.points, now.pieces, still, [&](const FormSheet& sheet) { return parts(sheet); });
             if (m_divisions == before)
                 break;
         }
@@ -325,16 +325,16 @@ private:
     {
         TriangleMesh mesh;
         for (std::size_t p = 0; p < pieces.size() && !m_stop.stop_requested(); ++p) {
-            Sheet sheet = sheetOf(points, pieces[p]);
-            const std::vector<Sheet> sheets = bad[p] ? divide(std::move(sheet)) : std::vector{std::move(sheet)};
+            FormSheet sheet = sheetOf(points, pieces[p]);
+            const std::vector<FormSheet> sheets = bad[p] ? divide(std::move(sheet)) : std::vector{std::move(sheet)};
             m_divisions += static_cast<int>(sheets.size()) - 1;
-            for (const Sheet& each : sheets)
+            for (const FormSheet& each : sheets)
                 append(mesh, each, pieces[p].part);
         }
         return cutForm(mesh, m_cuts, m_stop);
     }
 
-    Form formOf(const Sheet& sheet) const
+    Form formOf(const FormSheet& sheet) const
     {
         TriangleMesh mesh;
         append(mesh, sheet, "");
@@ -369,20 +369,20 @@ private:
     }
 
     /// The two halves that lie flat; else the sheet.
-    std::vector<Sheet> parts(const Sheet& sheet)
+    std::vector<FormSheet> parts(const FormSheet& sheet)
     {
         auto [below, above] = halved(sheet);
         if (below.triangles.empty() || above.triangles.empty())
             return {sheet};
-        std::vector<Sheet> all = flatParts(std::move(below));
+        std::vector<FormSheet> all = flatParts(std::move(below));
         std::ranges::move(flatParts(std::move(above)), std::back_inserter(all));
         return joined(std::move(all), true);
     }
 
     /// Halves of halves, as long as they do not lie flat.
-    std::vector<Sheet> flatParts(Sheet sheet)
+    std::vector<FormSheet> flatParts(FormSheet sheet)
     {
-        std::vector<Sheet> waiting{std::move(sheet)}, done;
+        std::vector<FormSheet> waiting{std::move(sheet)}, done;
         while (!waiting.empty() && !m_stop.stop_requested()) {
             sheet = std::move(waiting.back());
             waiting.pop_back();
@@ -402,7 +402,7 @@ private:
         return done;
     }
 
-    void addTo(std::vector<Sheet>& done, Sheet sheet)
+    void addTo(std::vector<FormSheet>& done, FormSheet sheet)
     {
         done.push_back(std::move(sheet));
         ++m_found;
@@ -410,7 +410,7 @@ private:
             m_progress(m_found);
     }
 
-    std::array<Sheet, 2> halved(Sheet sheet) const
+    std::array<FormSheet, 2> halved(FormSheet sheet) const
     {
         sheet = fine(std::move(sheet), someTriangles);
         const Halves halves = halvesOf(sheet, m_stop);
@@ -418,11 +418,11 @@ private:
             return {};
         const auto [below, above] = sheet.triangles.size() < fewTriangles ? alongEdges(sheet, halves.ofTriangles)
                                                                           : acrossTriangles(sheet, halves);
-        return {Sheet{sheet.points, below}, Sheet{sheet.points, above}};
+        return {FormSheet{sheet.points, below}, FormSheet{sheet.points, above}};
     }
 
     /// Neighbours that lie flat together are one again, first those that have most of their outline in common.
-    std::vector<Sheet> joined(std::vector<Sheet> sheets, bool onlySmall) const
+    std::vector<FormSheet> joined(std::vector<FormSheet> sheets, bool onlySmall) const
     {
         std::map<Pair, double> common = commonLengths(sheets);
         if (onlySmall)
@@ -437,7 +437,7 @@ private:
             const auto closest = std::ranges::max_element(common, {}, closeness);
             const auto [a, b] = closest->first;
             common.erase(closest);
-            Sheet both = together(sheets[a], sheets[b]);
+            FormSheet both = together(sheets[a], sheets[b]);
             const Form form = formOf(both);
             if (form.pieces.size() != 1 || !form.opened.empty() || winding(form) > mostWinding || !liesFlat(form))
                 continue;
@@ -453,12 +453,12 @@ private:
                 each = common.erase(each);
             }
         }
-        std::erase_if(sheets, [](const Sheet& sheet) { return sheet.triangles.empty(); });
+        std::erase_if(sheets, [](const FormSheet& sheet) { return sheet.triangles.empty(); });
         return sheets;
     }
 
     /// mm, of the borders of two neighbours.
-    std::map<Pair, double> commonLengths(const std::vector<Sheet>& sheets) const
+    std::map<Pair, double> commonLengths(const std::vector<FormSheet>& sheets) const
     {
         TriangleMesh mesh;
         for (std::size_t k = 0; k < sheets.size(); ++k)

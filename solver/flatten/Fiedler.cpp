@@ -37,7 +37,7 @@ struct Graph {
 
 /// Bonds are as strong as the edge is long over the way from center to center, on which a bend counts as an arc of
 /// the sheet's size.
-Graph graphOf(const Sheet& sheet, const std::stop_token& stop)
+Graph graphOf(const FormSheet& sheet, const std::stop_token& stop)
 {
     Graph graph;
     graph.areas.resize(std::ssize(sheet.triangles));
@@ -200,7 +200,7 @@ double bestThreshold(const Graph& graph, const Eigen::VectorXd& value)
 }
 
 /// Of each point: the mean of the triangles around it.
-std::vector<double> atPoints(const Sheet& sheet, const Eigen::VectorXd& value)
+std::vector<double> atPoints(const FormSheet& sheet, const Eigen::VectorXd& value)
 {
     std::vector<double> sums(sheet.points.size(), 0), areas(sheet.points.size(), 0);
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
@@ -217,19 +217,19 @@ std::vector<double> atPoints(const Sheet& sheet, const Eigen::VectorXd& value)
 
 } // namespace
 
-Vec3 Sheet::areaNormal(std::size_t t) const
+Vec3 FormSheet::areaNormal(std::size_t t) const
 {
     const auto& [a, b, c] = triangles[t];
     return (points[b] - points[a]).cross(points[c] - points[a]) / 2;
 }
 
-Vec3 Sheet::center(std::size_t t) const
+Vec3 FormSheet::center(std::size_t t) const
 {
     const auto& [a, b, c] = triangles[t];
     return (points[a] + points[b] + points[c]) / 3;
 }
 
-Halves halvesOf(const Sheet& sheet, const std::stop_token& stop)
+Halves halvesOf(const FormSheet& sheet, const std::stop_token& stop)
 {
     const Graph graph = graphOf(sheet, stop);
     std::optional<Eigen::VectorXd> value = orderAlong(graph, stop);

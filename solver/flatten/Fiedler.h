@@ -10,7 +10,7 @@
 namespace bolster {
 
 /// A part of a form that hangs together.
-struct Sheet {
+struct FormSheet {
     std::vector<Vec3> points; ///< mm
     std::vector<std::array<int, 3>> triangles;
 
@@ -27,6 +27,6 @@ struct Halves {
 /// narrow. Empty when stopped, or where it cannot be found.
 /// Source: Fiedler, "A property of eigenvectors of nonnegative symmetric matrices", 1975; of the triangles, where
 /// it is as far across an edge as along an arc that bends as much and is as long as the sheet is large.
-Halves halvesOf(const Sheet& sheet, const std::stop_token& stop);
+Halves halvesOf(const FormSheet& sheet, const std::stop_token& stop);
 
 } // namespace bolster

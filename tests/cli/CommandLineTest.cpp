@@ -214,6 +214,20 @@ TEST_F(CommandLine, RefusesWhatIsNoDesign)
     }
 }
 
+/// As in the workbench.
+TEST_F(CommandLine, SaysWhatACoverSuffers)
+{
+    const std::string folder = test::samplesFolder();
+    const auto solved = [&](const char* sample) {
+        return callCommandLine({"solve", QString::fromStdString(folder + "/" + sample + "/" + sample + ".json")});
+    };
+    const ProgramRun folded = solved("trapezoid"), calm = solved("cylinder");
+    EXPECT_EQ(folded.exitCode, 0);
+    EXPECT_NE(folded.err.find("folds"), std::string::npos) << folded.err;
+    EXPECT_EQ(calm.exitCode, 0);
+    EXPECT_TRUE(calm.err.empty()) << calm.err;
+}
+
 TEST_F(CommandLine, SolvesAndWritesEverything)
 {
     const ProgramRun run =

@@ -109,6 +109,29 @@ TEST_F(FlattenTest, WrongWordsAreSaidBeforeAnythingIsDone)
     expectRefused({"--report", path("nowhere/report.json")}, "nowhere", 1);
 }
 
+TEST_F(FlattenTest, WhatIsClosedDividesItselfWhenAsked)
+{
+    write("box.obj",
+          "g Box\nv 0 0 0\nv 400 0 0\nv 400 300 0\nv 0 300 0\nv 0 0 120\nv 400 0 120\n"
+          "v 400 300 120\nv 0 300 120\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const ProgramRun refused = flatten(path("box.obj"));
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_NE(refused.err.find("--divide"), std::string::npos) << refused.err;
+
+    const ProgramRun small = flatten(path("box.obj"), {"--divide", "--edge", "300"});
+    EXPECT_EQ(small.exitCode, 2);
+    EXPECT_NE(small.err.find("a shorter --edge"), std::string::npos) << small.err;
+
+    const ProgramRun run = flatten(path("box.obj"), {"--divide", "--report", path("report.json")});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_LE(count("patch"), 6u);
+    double area = 0;
+    for (const Json& piece : Json::parse(read("report.json"))["pieces"])
+        area += piece["area_mm2"].get<double>();
+    EXPECT_NEAR(area, 2 * (400 * 300 + 400 * 120 + 300 * 120), 500);
+    EXPECT_EQ(callCommandLine({"check", path("out.json")}).exitCode, 0);
+}
+
 TEST_F(FlattenTest, WhatCannotBeLaidFlatIsSaid)
 {
     write("box.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
