@@ -126,7 +126,8 @@ TEST_F(FlattenTest, WhatIsClosedDividesItselfWhenAsked)
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_LE(count("patch"), 6u);
     double area = 0;
-    for (const Json& piece : Json::parse(read("report.json"))["pieces"])
+    const Json report = Json::parse(read("report.json"));
+    for (const Json& piece : report["pieces"])
         area += piece["area_mm2"].get<double>();
     EXPECT_NEAR(area, 2 * (400 * 300 + 400 * 120 + 300 * 120), 500);
     EXPECT_EQ(callCommandLine({"check", path("out.json")}).exitCode, 0);

@@ -199,7 +199,9 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
         return read;
     read.failure = badInput;
     printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
-    if (!read.form.refused.empty())
+    if (!read.form.refused.empty() && arguments.has("--divide"))
+        printError("(pieces less than five edges across are not divided: a shorter --edge lets them be)");
+    else if (!read.form.refused.empty())
         printError(
             "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG degrees, "
             "--along DESIGN along its fixation curves)");
