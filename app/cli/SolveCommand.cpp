@@ -89,9 +89,9 @@ void printWorries(const SurfaceMesh& surface, const OpenedDesign& opened)
     const std::vector<CoverFinding> findings = coverFindings(surface, opened.design, opened.files, frames);
     const std::size_t said = findings.size() > mostSaid ? mostSaid - 1 : findings.size();
     for (std::size_t k = 0; k < said; ++k)
-        printError("warning: " + findings[k].text.english());
+        printResult(findings[k].text.english());
     if (said < findings.size())
-        printError("warning: and " + std::to_string(findings.size() - said) + " more of that kind");
+        printResult("and " + std::to_string(findings.size() - said) + " more of that kind");
 }
 
 } // namespace

@@ -5,11 +5,13 @@
 #include "ViewColors.h"
 
 #include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolTip>
 
 #include <algorithm>
+#include <utility>
 
 namespace bolster {
 
@@ -48,13 +50,44 @@ FlatPiecesView::FlatPiecesView(QWidget* parent)
 {
     setMinimumSize(240, 200);
     setAccessibleName(tr("Pieces laid flat"));
+    setMouseTracking(true);
 }
 
 void FlatPiecesView::show(std::shared_ptr<const FormMade> made, double limit)
 {
     m_made = std::move(made);
     m_limit = limit;
+    m_hovered.reset();
     update();
+}
+
+std::optional<std::size_t> FlatPiecesView::pieceAt(const QPointF& pixel) const
+{
+    if (!m_made)
+        return std::nullopt;
+    const QTransform fit = fitting();
+    for (std::size_t p = 0; p < m_made->flat.size(); ++p)
+        if (borderOf(fit, p).containsPoint(pixel, Qt::OddEvenFill))
+            return p;
+    return std::nullopt;
+}
+
+void FlatPiecesView::hover(std::optional<std::size_t> piece)
+{
+    if (std::exchange(m_hovered, piece) == piece)
+        return;
+    update();
+    emit hoveredChanged();
+}
+
+void FlatPiecesView::mouseMoveEvent(QMouseEvent* event)
+{
+    hover(pieceAt(event->position()));
+}
+
+void FlatPiecesView::leaveEvent(QEvent*)
+{
+    hover(std::nullopt);
 }
 
 int FlatPiecesView::scaleHeight() const
@@ -133,14 +166,10 @@ bool FlatPiecesView::event(QEvent* event)
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
     QString tip;
-    if (m_made) {
-        const QTransform fit = fitting();
-        for (std::size_t p = 0; p < m_made->flat.size() && tip.isEmpty(); ++p)
-            if (borderOf(fit, p).containsPoint(help->pos(), Qt::OddEvenFill))
-                tip = tr("%1: strain %2 (rms)")
-                          .arg(QString::fromStdString(m_made->form.pieces[p].name),
-                               percentText(m_made->flat[p].strainRms));
-    }
+    if (const std::optional<std::size_t> p = pieceAt(help->pos()))
+        tip =
+            tr("%1: strain %2 (rms)")
+                .arg(QString::fromStdString(m_made->form.pieces[*p].name), percentText(m_made->flat[*p].strainRms));
     QToolTip::showText(help->globalPos(), tip, this);
     return true;
 }
@@ -168,7 +197,7 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
     painter.setRenderHint(QPainter::Antialiasing);
     const QPolygonF border = borderOf(fit, p);
     const ViewColors colors = ViewColors::of(palette());
-    painter.setPen(QPen(colors.outline, 1));
+    painter.setPen(m_hovered == p ? QPen(colors.hover, 2) : QPen(colors.outline, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(border);
     const QRectF box = border.boundingRect();

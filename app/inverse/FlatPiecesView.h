@@ -17,12 +17,21 @@ public:
     /// `limit`: of strain, 1: the end of the colours.
     void show(std::shared_ptr<const FormMade> made, double limit);
     QSize sizeHint() const override { return {520, 420}; }
+    /// Under the pointer; nothing where there is none.
+    std::optional<std::size_t> hovered() const { return m_hovered; }
+
+signals:
+    void hoveredChanged();
 
 protected:
     bool event(QEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    std::optional<std::size_t> pieceAt(const QPointF& pixel) const;
+    void hover(std::optional<std::size_t> piece);
     int scaleHeight() const;
     QTransform fitting() const;
     QPolygonF borderOf(const QTransform& fit, std::size_t piece) const;
@@ -31,6 +40,7 @@ private:
 
     std::shared_ptr<const FormMade> m_made;
     double m_limit = 0.08;
+    std::optional<std::size_t> m_hovered;
 };
 
 } // namespace bolster

@@ -13,9 +13,11 @@
 #include "Jobs.h"
 #include "NumberBox.h"
 #include "PatternSize.h"
+#include "ShownScene.h"
 #include "SolverLink.h"
 #include "Translated.h"
 #include "Units.h"
+#include "ViewColors.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -43,6 +45,7 @@ namespace {
 
 constexpr double besidePattern = 100;   // mm
 constexpr int mostLinesSaid = 9;        // that are seen at once
+constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
 constexpr double manyVertices = 60'000; // of a cover
 constexpr std::size_t mostNotes = 5;    // of pieces that are left out
 
@@ -79,11 +82,12 @@ std::set<ElementId> linesToCut(const Design& design)
 
 } // namespace
 
-FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver, QWidget* parent)
+FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_solver(solver)
+    , m_scene(scene)
     , m_job([job = std::make_shared<FormPatternJob>()](
                 const FormWanted& wanted, const std::stop_token& stop) { return job->make(wanted, stop); },
             [this](FormMade made) { take(std::move(made)); })
@@ -105,12 +109,14 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
 
 FormPatternWindow::~FormPatternWindow()
 {
+    m_scene.setGuestLines({});
     m_job.cancel();
 }
 
 void FormPatternWindow::build()
 {
     m_view = new FlatPiecesView(this);
+    connect(m_view, &FlatPiecesView::hoveredChanged, this, &FormPatternWindow::showOnForm);
     m_said = new QLabel(this);
     m_said->setWordWrap(true);
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -470,6 +476,7 @@ void FormPatternWindow::clear()
 {
     m_made.reset();
     m_view->show(nullptr, bearableStrain(fabric()));
+    showOnForm();
 }
 
 void FormPatternWindow::take(FormMade made)
@@ -482,11 +489,36 @@ void FormPatternWindow::take(FormMade made)
         setRunning(false);
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, bearableStrain(fabric()));
+    showOnForm();
     const auto leftOut = std::ranges::count(m_made->pattern.patches, noElement);
     const bool whole = leftOut == 0;
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
     m_make->setEnabled(this->made() && m_made->problem.empty() && std::ssize(m_made->pattern.patches) > leftOut);
     say();
+}
+
+/// Borders of the pieces; another colour around what is left out, and around the one under the pointer.
+void FormPatternWindow::showOnForm()
+{
+    std::vector<SceneLine> lines;
+    const std::size_t count = m_made && m_made->problem.empty() ? m_made->pattern.patches.size() : 0;
+    const ViewColors colors = ViewColors::of(palette());
+    const auto add = [&](std::size_t p, const QColor& color, float width) {
+        const FormPiece& piece = m_made->form.pieces[p];
+        SceneLine line{{}, color, width, hiddenLines};
+        for (std::size_t k = 0; k <= piece.border.size(); ++k)
+            line.points.push_back(
+                m_made->form.points[piece.points[piece.border[k % piece.border.size()]]].cast<float>());
+        lines.push_back(std::move(line));
+    };
+    for (std::size_t p = 0; p < count; ++p)
+        add(p, colors.snap, 1.5F);
+    for (std::size_t p = 0; p < count; ++p) // over those of their neighbours
+        if (m_made->pattern.patches[p] == noElement)
+            add(p, colors.error, 3);
+    if (m_view->hovered() && *m_view->hovered() < count)
+        add(*m_view->hovered(), colors.hover, 4);
+    m_scene.setGuestLines(std::move(lines));
 }
 
 void FormPatternWindow::say()

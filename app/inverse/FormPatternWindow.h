@@ -24,13 +24,15 @@ class DesignSession;
 class FlatPiecesView;
 class NumberBox;
 class RunningJob;
+class ShownScene;
 class SolverLink;
 
 class FormPatternWindow : public QDialog {
     Q_OBJECT
 
 public:
-    FormPatternWindow(DesignSession& session, SolverLink& solver, QWidget* parent = nullptr);
+    /// `scene`: where lines show how the form is cut.
+    FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene, QWidget* parent = nullptr);
     ~FormPatternWindow() override;
 
     /// What was made of the wishes as they are now, whole; null while it is being made, or cannot be.
@@ -56,6 +58,7 @@ private:
     void clear();
     void take(FormMade made);
     void say();
+    void showOnForm();
     void make();
     void documentChanged();
     std::vector<FormLine> chosenLines() const;
@@ -70,6 +73,7 @@ private:
     DesignSession& m_session;
     Document& m_document;
     SolverLink& m_solver;
+    ShownScene& m_scene;
     QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
     QString m_file;
     QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr;

@@ -5,6 +5,7 @@
 #include "CauseWindow.h"
 #include "DesignJson.h"
 #include "Designer.h"
+#include "FlatPiecesView.h"
 #include "FormPatternJob.h"
 #include "FormPatternWindow.h"
 #include "Jobs.h"
@@ -275,7 +276,19 @@ f 4 1 5 8
     ASSERT_TRUE((*divide)->isChecked());
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() && dialog->made()->problem.empty(); }, 120000));
     EXPECT_FALSE(says("A mark at"));
+    const auto drawn = [&](float width) {
+        return std::ranges::count(window.coverView().shown().scene().lines, width, &SceneLine::width);
+    };
+    EXPECT_EQ(drawn(1.5F), std::ssize(dialog->made()->form.pieces)) << "where each piece lies";
+    EXPECT_EQ(drawn(4), 0);
+    auto* pieces = dialog->findChild<FlatPiecesView*>();
+    ASSERT_TRUE(pieces);
+    for (int x = 0; x < pieces->width() && !pieces->hovered(); x += 5)
+        QTest::mouseMove(pieces, {x, pieces->height() / 2 - 20});
+    ASSERT_TRUE(pieces->hovered());
+    EXPECT_EQ(drawn(4), 1) << "and that under the pointer";
     pressIn(*dialog, "Make the pattern");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return drawn(4) == 0; }, 10000));
     EXPECT_GE(count<Patch>(), 1);
     EXPECT_LE(count<Patch>(), 6);
     double area = 0;

@@ -144,6 +144,14 @@ void ShownScene::setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs)
     refreshMarks(false);
 }
 
+void ShownScene::setGuestLines(std::vector<SceneLine> lines)
+{
+    if (lines.empty() && m_guestLines.empty())
+        return;
+    m_guestLines = std::move(lines);
+    refreshMarks(false);
+}
+
 void ShownScene::showFramePieces(ElementId frame, const std::vector<int>& pieces)
 {
     FramePieceBox box{frame, pieces};
@@ -247,6 +255,7 @@ void ShownScene::updateMarks()
     if (m_overlay)
         for (SceneLine& line : m_overlay())
             m_scene.lines.push_back(std::move(line));
+    m_scene.lines.insert(m_scene.lines.end(), m_guestLines.begin(), m_guestLines.end());
 }
 
 void ShownScene::refreshMarks(bool moving)

@@ -110,7 +110,7 @@ void InverseCommands::show(QPointer<QDialog>& dialog, const Make& make)
 
 QDialog* InverseCommands::formWindow()
 {
-    auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, &m_parts.window);
+    auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, m_parts.cover.shown(), &m_parts.window);
     connect(window, &FormPatternWindow::patternMade, this,
             [this](const std::vector<ElementId>& added, const Box3& where) {
                 m_parts.selection.set({added.begin(), added.end()});
