@@ -17,8 +17,6 @@ namespace bolster {
 namespace {
 
 constexpr int blockOfVertices = 256;
-constexpr std::uint64_t firstBeside = std::uint64_t{1} << 40; // nobody asks for these pieces
-constexpr int piecesBeside = 16, fewestBeside = 8;
 
 float percentile95(std::vector<float>& sizes)
 {
@@ -145,28 +143,10 @@ Eigen::MatrixXf Sweep::linear(const std::function<void(double)>& progress, const
         if (!sides[0] && !sides[1])
             m_unknown.push_back(static_cast<std::size_t>(k));
         if (progress)
-            progress(static_cast<double>(++done) / (count + piecesBeside / 2)); // each is solved twice
+            progress(static_cast<double>(++done) / count);
     });
     std::ranges::sort(m_unknown);
-    result *= togetherOverAlone(result, stop);
-    if (progress)
-        progress(1);
     return result;
-}
-
-float Sweep::togetherOverAlone(const Eigen::MatrixXf& linear, const std::stop_token& stop)
-{
-    double solved = 0, reckoned = 0;
-    int count = 0;
-    for (const SweepSample& sample : solve(firstBeside, piecesBeside, stop)) {
-        if (sample.outside.empty())
-            continue;
-        ++count;
-        const Eigen::Map<const Eigen::VectorXf> outside(sample.outside.data(), std::ssize(sample.outside));
-        solved += outside.cast<double>().squaredNorm();
-        reckoned += (linear * spreadsOf(m_tolerances, sample.number)).cast<double>().squaredNorm();
-    }
-    return count >= fewestBeside && reckoned > 0 ? static_cast<float>(std::sqrt(solved / reckoned)) : 1.0F;
 }
 
 std::vector<SweepSample> Sweep::solve(std::uint64_t first, int count, const std::stop_token& stop)

@@ -36,9 +36,7 @@ public:
     SurfaceMeshPtr nominal() const { return m_nominal; }
 
     /// What each tolerance does to each vertex: mm outwards for the whole of its spread upwards, and downwards, in
-    /// two columns: cloth that becomes slack does something else than cloth that becomes tight. All of it is made
-    /// larger or smaller by one number, so that it is on the average as large as in some pieces that are solved:
-    /// what tolerances do together is not what each does alone.
+    /// two columns: cloth that becomes slack does something else than cloth that becomes tight.
     Eigen::MatrixXf linear(const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
     /// Tolerances of which it found no cover, neither upwards nor downwards, so that they seem to do nothing.
     const std::vector<std::size_t>& unknown() const { return m_unknown; }
@@ -52,7 +50,6 @@ public:
 private:
     struct Team;
 
-    float togetherOverAlone(const Eigen::MatrixXf& linear, const std::stop_token& stop);
     void solveAlone(const Design& design, SweepSample& sample, const std::stop_token& stop) const;
 
     Tolerances m_tolerances;
