@@ -130,7 +130,7 @@ public:
         });
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
-            const std::vector<bool> still = badTogether(now);
+            const std::vector<bool> still = badOnes(now, {}, m_limit);
             const int before = m_divisions;
             if (std::ranges::count(still, true) > 0)
                 now = divided(now.points, now.pieces, still, [&](const FormSheet& sheet) { return parts(sheet); });
@@ -172,31 +172,24 @@ private:
         return cutForm(mesh, m_cuts, m_stop);
     }
 
-    std::vector<bool> badTogether(const Form& form) const
+    /// Pieces that would lie over themselves or be strained by more than `limit`; none when stopped.
+    std::vector<bool> badOnes(const Form& form, FlattenOrder flattening, double limit) const
     {
-        FlattenOrder flattening;
         flattening.poisson = m_order.fabric.poisson;
         std::vector<bool> bad(form.pieces.size(), false);
         const std::vector<FlatPiece> flat = flatten(form, flattening, m_stop);
-        if (m_stop.stop_requested() || form.pieces.empty())
+        if (m_stop.stop_requested() || flat.empty())
             return bad;
         const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
         for (std::size_t p = 0; p < pattern.patches.size(); ++p)
-            bad[p] = pattern.patches[p] == noElement || flat[p].strainP99 > m_limit;
+            bad[p] = pattern.patches[p] == noElement || flat[p].strainP99 > limit;
         return bad;
     }
 
     bool liesFlat(const Form& form) const
     {
-        FlattenOrder flattening = quickly;
-        flattening.poisson = m_order.fabric.poisson;
-        const std::vector<FlatPiece> flat = flatten(form, flattening, m_stop);
-        if (flat.empty() || m_stop.stop_requested())
-            return false;
-        const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
-        return std::ranges::count(pattern.patches, noElement) == 0 &&
-               std::ranges::all_of(flat,
-                                   [&](const FlatPiece& each) { return each.strainP99 <= sewnMore * m_limit; });
+        const std::vector<bool> bad = badOnes(form, quickly, sewnMore * m_limit);
+        return !bad.empty() && !m_stop.stop_requested() && std::ranges::count(bad, true) == 0;
     }
 
     /// The two halves that lie flat; else the sheet.

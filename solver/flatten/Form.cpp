@@ -419,7 +419,7 @@ private:
 
 } // namespace
 
-FormLine lineOf(const FixationCurve& curve)
+static FormLine lineOf(const FixationCurve& curve)
 {
     FormLine line{curve.name, {}, curve.curve.closed()};
     const std::vector<double> breaks = curve.curve.breaks();

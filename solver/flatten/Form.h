@@ -82,7 +82,6 @@ struct Form {
 /// A form with more is made simpler first, with a note about how far that is off.
 inline constexpr std::size_t mostFormTriangles = 300'000;
 
-FormLine lineOf(const FixationCurve& curve);
 /// The fixation curves of a design, as lines.
 std::vector<FormLine> linesOf(const Design& design);
 
