@@ -17,7 +17,7 @@ struct SweepFound {
     int number = 0;
     Message problem; ///< why there is no answer; empty when there is one
     SurfaceMeshPtr nominal;
-    std::vector<float> p95;           ///< mm, per vertex: by linear covers, or by the solved ones
+    std::vector<float> p95;           ///< mm, per vertex: by linear covers, which solved ones correct
     std::vector<double> influence;    ///< of each tolerance, as shares of the variance
     std::vector<double> mostMoved;    ///< mm: how far each moves the cover anywhere
     std::vector<std::size_t> unknown; ///< tolerances with which no cover was found

@@ -1,15 +1,12 @@
 #include "Flatten.h"
 
-#include "WorkerPool.h"
-
-#include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
+#include "ConformalStart.h"
+#include "FactoredSystem.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 
 namespace bolster {
@@ -17,53 +14,12 @@ namespace bolster {
 namespace {
 
 using Mat2 = Eigen::Matrix2d;
-using Mat23 = Eigen::Matrix<double, 2, 3>;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
 constexpr double splinter = 0.02;           // of the mean area: what cuts have left of a triangle says nothing
 constexpr double mostStrain = 0.5;          // as in the sheet's local step
-constexpr double leastHeight = 0.005;       // of a triangle, of its longest edge, to count in full
-constexpr double noHeight = 1e-6;           // likewise, to have a shape: cuts leave ones without an area
 constexpr double holding = 1e-9;            // of every vertex where it is, against cotangents
-
-/// A triangle of the form in its own plane.
-struct Facet {
-    std::array<int, 3> corners{};
-    Mat23 gradient; ///< of the three hat functions, 1/mm
-    double area = 0;
-    double weight = 0;                       ///< of its energy, mm^2
-    Vec3 x = Vec3::Zero(), y = Vec3::Zero(); ///< of that plane
-};
-
-/// One that is little more than its longest edge counts for less: its weights would drown those of all others, and
-/// of one without an area it is chance how it lies. The faces of CAD programs can consist of such triangles alone.
-Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-    const std::array<Vec3, 3> places{a, b, c};
-    const auto edge = [&](std::size_t k) { return Vec3(places[(k + 1) % 3] - places[k]); };
-    const std::size_t base = edge(0).norm() >= edge(1).norm() ? (edge(0).norm() >= edge(2).norm() ? 0 : 2)
-                                                              : (edge(1).norm() >= edge(2).norm() ? 1 : 2);
-    const double longest = edge(base).norm();
-    Facet facet{corners, Mat23::Zero()};
-    if (!(longest > 0))
-        return facet;
-    const Vec3 x = edge(base) / longest, way = places[(base + 2) % 3] - places[base];
-    const double along = way.dot(x), height = std::max((way - along * x).norm(), noHeight * longest);
-    std::array<Vec2, 3> at;
-    at[base] = Vec2(0, 0);
-    at[(base + 1) % 3] = Vec2(longest, 0);
-    at[(base + 2) % 3] = Vec2(along, height);
-    facet.area = longest * height / 2;
-    facet.weight = facet.area * std::min(1.0, height / (leastHeight * longest));
-    facet.x = x;
-    facet.y = (way - along * x).normalized();
-    for (int k = 0; k < 3; ++k) {
-        const Vec2 opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
-        facet.gradient.col(k) = Vec2(-opposite.y(), opposite.x()) / (2 * facet.area);
-    }
-    return facet;
-}
 
 /// The rotation nearest to a plane map.
 Mat2 nearestRotation(const Mat2& map)
@@ -84,19 +40,22 @@ struct SewnEdge {
 
 class PieceSheet {
 public:
-    PieceSheet(const Form& form, const FormPiece& piece, double poisson)
+    PieceSheet(const Form& form, const FormPiece& piece, double poisson, const std::stop_token& stop)
         : m_form(form)
         , m_piece(piece)
         , m_poisson(poisson)
         , m_count(static_cast<Eigen::Index>(piece.points.size()))
     {
         for (const auto& corners : piece.triangles)
-            m_facets.push_back(facetOf(corners, point(corners[0]), point(corners[1]), point(corners[2])));
+            m_facets.push_back(facetOf(corners, {point(corners[0]), point(corners[1]), point(corners[2])}));
+        m_places.resize(3, m_count);
+        for (int v = 0; v < m_count; ++v)
+            m_places.col(v) = point(v);
         addSewnEdges();
-        startConformally();
+        startConformally(stop);
     }
 
-    void factor(double seamWeight)
+    void factor(double seamWeight, const std::stop_token& stop)
     {
         m_seamWeight = seamWeight;
         std::vector<Eigen::Triplet<double>> entries;
@@ -105,25 +64,23 @@ public:
             const Eigen::Matrix3d block = facet.weight * facet.gradient.transpose() * facet.gradient;
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
-                    add(facet.corners[i], facet.corners[j], block(i, j));
+                    if (facet.corners[i] >= facet.corners[j])
+                        add(facet.corners[i], facet.corners[j], block(i, j));
         }
         for (const SewnEdge& edge : m_sewn) {
             const double w = seamWeight * edge.weight;
             add(edge.from, edge.from, w);
             add(edge.to, edge.to, w);
-            add(edge.from, edge.to, -w);
-            add(edge.to, edge.from, -w);
+            add(std::max(edge.from, edge.to), std::min(edge.from, edge.to), -w);
         }
         for (int v = 0; v < m_count; ++v)
             add(v, v, v == 0 ? 1 : holding); // it may lie anywhere
         Sparse matrix(m_count, m_count);
         matrix.setFromTriplets(entries.begin(), entries.end());
-        if (!m_solver) { // what is where stays from pass to pass
-            m_solver = std::make_unique<Eigen::SimplicialLDLT<Sparse>>();
-            m_solver->analyzePattern(matrix);
-        }
-        m_solver->factorize(matrix);
-        if (m_solver->info() != Eigen::Success)
+        if (!m_system) // what is where stays from pass to pass
+            m_system.emplace(matrix, m_places, stop);
+        WorkerPool alone(1);
+        if (!m_system->factor(matrix, alone, stop))
             m_at.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
 
@@ -137,29 +94,27 @@ public:
     {
         if (!m_at.allFinite())
             return 0;
-        Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_count, 2);
+        Eigen::MatrixX2d left = Eigen::MatrixX2d::Zero(m_count, 2); // what pulls at each vertex
         for (const Facet& facet : m_facets) {
+            const Mat2 map = jacobian(facet);
             const Eigen::Matrix<double, 3, 2> pull =
-                facet.weight * facet.gradient.transpose() * target(facet).transpose();
+                facet.weight * facet.gradient.transpose() * (target(map) - map).transpose();
             for (int k = 0; k < 3; ++k)
-                right.row(facet.corners[k]) += pull.row(k);
+                left.row(facet.corners[k]) += pull.row(k);
         }
         for (const SewnEdge& edge : m_sewn) {
             const Vec2 way = at(edge.to) - at(edge.from);
             const double now = way.norm();
-            const Vec2 pull =
-                m_seamWeight * edge.weight * wanted[edge.edge] * (now > 0 ? Vec2(way / now) : Vec2(1, 0));
-            right.row(edge.to) += pull.transpose();
-            right.row(edge.from) -= pull.transpose();
+            const Vec2 along = now > 0 ? Vec2(way / now) : Vec2(1, 0);
+            const Vec2 pull = m_seamWeight * edge.weight * (wanted[edge.edge] * along - way);
+            left.row(edge.to) += pull.transpose();
+            left.row(edge.from) -= pull.transpose();
         }
-        right += holding * m_at;
-        right.row(0) += (1 - holding) * m_at.row(0);
-        const Eigen::MatrixX2d next = m_solver->solve(right);
+        const Eigen::MatrixX2d step = solved(left);
+        m_at += step;
         // Where the piece lies does not matter: what counts is how its shape has changed.
-        const Eigen::RowVector2d drift = (next - m_at).colwise().mean();
-        const double moved = ((next - m_at).rowwise() - drift).rowwise().norm().maxCoeff();
-        m_at = next;
-        return moved;
+        const Eigen::RowVector2d drift = step.colwise().mean();
+        return (step.rowwise() - drift).rowwise().norm().maxCoeff();
     }
 
     const std::vector<SewnEdge>& sewn() const { return m_sewn; }
@@ -224,6 +179,18 @@ public:
     }
 
 private:
+    Eigen::MatrixX2d solved(const Eigen::MatrixX2d& right)
+    {
+        for (Eigen::Index v = 0; v < m_count; ++v)
+            m_system->x().col(m_system->slots()[v]) << right.row(v).transpose().cast<float>(), 0, 0;
+        WorkerPool alone(1);
+        m_system->solve(alone);
+        Eigen::MatrixX2d found(m_count, 2);
+        for (Eigen::Index v = 0; v < m_count; ++v)
+            found.row(v) = m_system->x().col(m_system->slots()[v]).head<2>().transpose().cast<double>();
+        return found;
+    }
+
     const Vec3& point(int vertex) const { return m_form.points[m_piece.points[vertex]]; }
     Vec2 at(int vertex) const { return m_at.row(vertex).transpose(); }
 
@@ -237,9 +204,9 @@ private:
 
     /// What the triangle would be if it could choose: turned, and as much wider as it is stretched across, by the
     /// Poisson number (docs/solver.md, local step).
-    Mat2 target(const Facet& facet) const
+    Mat2 target(const Mat2& map) const
     {
-        const Mat2 map = jacobian(facet), turn = nearestRotation(map);
+        const Mat2 turn = nearestRotation(map);
         Mat2 strain = turn.transpose() * map - Mat2::Identity();
         strain = (0.5 * (strain + strain.transpose())).cwiseMax(-mostStrain).cwiseMin(mostStrain);
         return turn * (Mat2::Identity() - m_poisson * (strain.trace() * Mat2::Identity() - strain));
@@ -259,52 +226,9 @@ private:
         }
     }
 
-    /// Two vertices of the border are held, those that are farthest from each other; the others lie where triangles
-    /// keep their angles best.
-    void startConformally()
+    void startConformally(const std::stop_token& stop)
     {
-        const auto [first, second] = farApart();
-        std::vector<Eigen::Index> number(m_count, -1);
-        Eigen::Index free = 0;
-        for (Eigen::Index v = 0; v < m_count; ++v)
-            if (v != first && v != second)
-                number[v] = free++;
-        std::vector<Eigen::Triplet<double>> entries;
-        Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * std::ssize(m_facets));
-        const double apart = (point(second) - point(first)).norm();
-        for (Eigen::Index f = 0; f < std::ssize(m_facets); ++f) {
-            const Facet& facet = m_facets[f];
-            const double root = std::sqrt(facet.weight);
-            for (int k = 0; k < 3; ++k) { // the map (u, v) keeps angles where grad v is grad u turned by 90 degrees
-                const Vec2 g = root * facet.gradient.col(k);
-                const int v = facet.corners[k];
-                if (v == first)
-                    continue; // at the origin
-                if (v == second) {
-                    right[2 * f] -= g.x() * apart;
-                    right[2 * f + 1] -= g.y() * apart;
-                    continue;
-                }
-                entries.emplace_back(2 * f, 2 * number[v], g.x());
-                entries.emplace_back(2 * f, 2 * number[v] + 1, -g.y());
-                entries.emplace_back(2 * f + 1, 2 * number[v], g.y());
-                entries.emplace_back(2 * f + 1, 2 * number[v] + 1, g.x());
-            }
-        }
-        Sparse rows(2 * std::ssize(m_facets), 2 * free);
-        rows.setFromTriplets(entries.begin(), entries.end());
-        const Sparse transposed = rows.transpose();
-        const Eigen::SimplicialLDLT<Sparse> solver(transposed * rows);
-        m_at = Eigen::MatrixX2d::Zero(m_count, 2);
-        if (solver.info() != Eigen::Success) { // its values are anything then
-            m_at.setConstant(std::numeric_limits<double>::quiet_NaN());
-            return;
-        }
-        const Eigen::VectorXd places = solver.solve(transposed * right);
-        m_at.row(second) = Eigen::RowVector2d(apart, 0);
-        for (Eigen::Index v = 0; v < m_count; ++v)
-            if (number[v] >= 0)
-                m_at.row(v) = places.segment<2>(2 * number[v]).transpose();
+        m_at = conformalStart(m_facets, m_places, farApart(), stop);
         scaleToArea();
     }
 
@@ -319,6 +243,7 @@ private:
             m_at *= std::sqrt(wanted / found);
     }
 
+    /// Two vertices of the border.
     std::pair<int, int> farApart() const
     {
         const auto farthest = [&](int from) {
@@ -360,8 +285,9 @@ private:
     std::vector<Facet> m_facets;
     std::vector<SewnEdge> m_sewn;
     double m_seamWeight = 0;
-    double m_meanArea = 0; // of facets, mm^2
-    std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> m_solver;
+    double m_meanArea = 0;     // of facets, mm^2
+    Eigen::Matrix3Xd m_places; // of the vertices on the form, mm
+    std::optional<FactoredSystem> m_system;
     Eigen::MatrixX2d m_at;
 };
 
@@ -431,7 +357,7 @@ std::vector<FlatPiece> flatten(const Form& form, const FlattenOrder& order, cons
     std::vector<std::optional<PieceSheet>> made(form.pieces.size());
     pool.forTasks(static_cast<int>(made.size()), [&](int p) {
         if (!stop.stop_requested())
-            made[p].emplace(form, form.pieces[p], order.poisson);
+            made[p].emplace(form, form.pieces[p], order.poisson, stop);
     });
     if (stop.stop_requested() || made.empty())
         return {};
@@ -440,7 +366,7 @@ std::vector<FlatPiece> flatten(const Form& form, const FlattenOrder& order, cons
         sheets.push_back(std::move(*sheet));
     CommonLengths lengths(form, sheets);
     for (const double weight : seamWeights) {
-        pool.forTasks(static_cast<int>(sheets.size()), [&](int p) { sheets[p].factor(weight); });
+        pool.forTasks(static_cast<int>(sheets.size()), [&](int p) { sheets[p].factor(weight, stop); });
         for (int round = 0; round < order.mostRounds; ++round) {
             const std::vector<std::vector<double>> wanted = lengths.wanted();
             if (stop.stop_requested())

@@ -442,7 +442,9 @@ std::vector<FormLine> linesOf(const Design& design)
 static Form cutFewer(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop, FormDraft* draft)
 {
     Form form;
-    WeldedForm welded = weld(mesh);
+    WeldedForm welded = weld(mesh, stop);
+    if (stop.stop_requested())
+        return {};
     if (welded.triangles.empty()) {
         form.problem = {QT_TRANSLATE_NOOP("Message", "it has no triangle with an area"), {}};
         return form;

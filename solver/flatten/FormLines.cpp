@@ -1,10 +1,8 @@
 #include "FormLines.h"
 
+#include "FormTree.h"
 #include "LinedMesh.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -21,7 +19,6 @@ namespace bolster {
 namespace {
 
 namespace Pmp = CGAL::Polygon_mesh_processing;
-using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<CgalMesh>>>;
 
 constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
 constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
@@ -121,15 +118,13 @@ std::string placeText(const Vec3& at)
 
 class LineCutter {
 public:
-    LineCutter(const TriangleSoup& form, const FormCuts& cuts, double apart)
+    LineCutter(const TriangleSoup& form, const FormCuts& cuts, double apart, const std::stop_token& stop)
         : m_soup(form)
         , m_cuts(cuts)
         , m_spacing(apart)
-        , m_whole(m_form.build(m_soup, {}))
-    {
-        if (m_whole)
-            m_tree.rebuild(m_form.mesh.faces().begin(), m_form.mesh.faces().end(), m_form.mesh);
-    }
+        , m_whole(m_form.build(m_soup, {}, stop))
+        , m_tree(trianglesOf(m_soup), stop)
+    {}
 
     bool whole() const { return m_whole; }
     const TriangleSoup& soup() const { return m_soup; }
@@ -177,7 +172,6 @@ public:
 
     LinedTriangles result(const std::vector<FormLine>& lines)
     {
-        m_tree.clear(); // of the form as it was
         m_form.build(m_soup, {});
         m_form.pruneSpurs();
         m_form.tidy();
@@ -266,34 +260,46 @@ private:
         near.putBack(m_soup);
     }
 
+    static std::vector<FormTree::Triangle> trianglesOf(const TriangleSoup& soup)
+    {
+        std::vector<FormTree::Triangle> triangles;
+        for (const auto& [a, b, c] : soup.triangles)
+            triangles.push_back({soup.points[a], soup.points[b], soup.points[c]});
+        return triangles;
+    }
+
+    /// The face that is nearest to a place on the form.
+    std::pair<Vec3, Face> faceNear(const Vec3& place) const
+    {
+        const auto [at, triangle] = m_tree.nearestTo(place);
+        return {at, Face(triangle)}; // the mesh has been made of all triangles, in their order
+    }
+
     /// Of most of its places, mm.
     double distanceOf(const FormLine& line) const
     {
         std::vector<double> distances;
         for (const Vec3& place : line.points)
-            distances.push_back(std::sqrt(m_tree.squared_distance(toCgal(place))));
+            distances.push_back((m_tree.nearestTo(place).at - place).norm());
         std::ranges::sort(distances);
         return distances[distances.size() / 2];
     }
 
     LinePlace placeOf(const Vec3& at) const
     {
-        const auto [point, face] = m_tree.closest_point_and_primitive(toCgal(at));
-        std::array<Vec3, 3> corners;
-        std::size_t k = 0;
-        for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
-            corners[k++] = fromCgal(m_form.mesh.point(v));
-        const Vec3 near = fromCgal(point);
-        return {near, (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized(), (at - near).norm()};
+        const auto [near, triangle] = m_tree.nearestTo(at);
+        const auto& [a, b, c] = m_tree.triangle(triangle);
+        return {near, (b - a).cross(c - a).normalized(), (at - near).norm()};
     }
 
     /// Whether a place lies beside the form, outside of its border.
     bool isBeyond(const Vec3& at) const
     {
         constexpr double beside = 0.05, same = 1e-6; // mm
-        const auto [near, face] = m_tree.closest_point_and_primitive(toCgal(at));
-        if ((fromCgal(near) - at).norm() < beside)
+        const auto [place, face] = faceNear(at);
+        if ((place - at).norm() < beside)
             return false;
+        const Kernel::Point_3 near = toCgal(place);
         for (const auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(face))) {
             const Kernel::Point_3 &a = m_form.mesh.point(m_form.mesh.source(half)),
                                   &b = m_form.mesh.point(m_form.mesh.target(half));
@@ -331,7 +337,7 @@ private:
     /// is near.
     std::optional<Vec3> borderNear(const Vec3& at) const
     {
-        const auto [near, face] = m_tree.closest_point_and_primitive(toCgal(at));
+        const Face face = faceNear(at).second;
         std::optional<Vec3> found;
         for (const Vertex v : m_form.mesh.vertices_around_face(m_form.mesh.halfedge(face)))
             for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v))) {
@@ -510,7 +516,7 @@ private:
     double m_spacing; // mm between places on a line
     LinedMesh m_form; // as it was, at last cut and tidied
     bool m_whole;
-    FaceTree m_tree; // of it as it was
+    FormTree m_tree; // of it as it was
     std::vector<Message> m_notes;
 };
 
@@ -562,7 +568,9 @@ LinedTriangles cutAlong(const TriangleSoup& form, const FormCuts& cuts, const st
     failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than two "
                                                    "faces meet, or sheets that touch in a point"),
                       {}};
-    LineCutter cutter(form, cuts, draft ? draftSpacing : spacing);
+    LineCutter cutter(form, cuts, draft ? draftSpacing : spacing, stop);
+    if (stop.stop_requested())
+        return {};
     if (!cutter.whole())
         return failed;
     try {

@@ -37,7 +37,7 @@ Edge edgeOf(int a, int b)
 
 } // namespace
 
-bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen)
+bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const std::stop_token& stop)
 {
     *this = {};
     if (chosen.empty())
@@ -59,7 +59,7 @@ bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen)
             corners[k] = Vertex(static_cast<CgalMesh::size_type>(vertex));
         }
         const Face face = mesh.add_face(corners[0], corners[1], corners[2]);
-        if (face == CgalMesh::null_face())
+        if (face == CgalMesh::null_face() || stop.stop_requested())
             return false;
         part[face] = soup.part[static_cast<std::size_t>(t)];
     }

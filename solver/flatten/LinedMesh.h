@@ -32,8 +32,9 @@ struct LinedMesh {
     CgalMesh::Property_map<Face, int> part;
     CgalMesh::Property_map<FormEdge, bool> cut;
 
-    /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point.
-    bool build(const TriangleSoup& soup, std::vector<int> chosen);
+    /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point; and
+    /// when stopped.
+    bool build(const TriangleSoup& soup, std::vector<int> chosen, const std::stop_token& stop = {});
     /// In place of the triangles that it was made of.
     void putBack(TriangleSoup& soup) const;
 

@@ -1,10 +1,8 @@
 #include "ThinForm.h"
 
+#include "FormTree.h"
 #include "WeldedForm.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
@@ -28,21 +26,33 @@ using Mesh = CGAL::Surface_mesh<Coarse::Point_3>;
 using ThinEdge = Mesh::Edge_index;
 using ThinFace = Mesh::Face_index;
 using HeldMap = Mesh::Property_map<ThinEdge, bool>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Coarse, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
 
 constexpr double sharp = 30;          // degrees: what bends by more is seen
 constexpr double nearlyThere = 1.2;   // times as many triangles as are wanted
 constexpr std::size_t asked = 20'000; // points whose distance is measured
 
-/// Ends as soon as it is asked to, or few enough are left.
+struct Stopped {};
+
+/// As long as an edge is. CGAL asks all the time: it leaves there when it shall stop.
+struct LengthUnlessStopped {
+    const std::stop_token* stop;
+
+    template <class Profile, class Place>
+    auto operator()(const Profile& edge, const Place& place) const
+    {
+        if (stop->stop_requested())
+            throw Stopped();
+        return Sms::Edge_length_cost<Mesh>()(edge, place);
+    }
+};
+
 struct FewEnough {
     std::size_t edges;
-    const std::stop_token* stop;
 
     template <class Cost, class Profile>
     bool operator()(const Cost&, const Profile&, std::size_t, std::size_t left) const
     {
-        return left < edges || stop->stop_requested();
+        return left < edges;
     }
 };
 
@@ -53,7 +63,9 @@ Vec3 fromPoint(const Coarse::Point_3& p)
 
 class Thinning {
 public:
-    Thinning(const WeldedForm& form, const std::set<std::pair<int, int>>& rows)
+    /// Throws when stopped.
+    Thinning(const WeldedForm& form, const std::set<std::pair<int, int>>& rows, const std::stop_token& stop)
+        : m_stop(stop)
     {
         m_part = m_mesh.add_property_map<ThinFace, int>("f:part", 0).first;
         m_held = m_mesh.add_property_map<ThinEdge, bool>("e:held", false).first;
@@ -61,6 +73,8 @@ public:
             m_mesh.add_vertex({p.x(), p.y(), p.z()});
         const auto vertex = [](int k) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(k)); };
         for (std::size_t t = 0; t < form.triangles.size(); ++t) {
+            if (stop.stop_requested())
+                throw Stopped();
             const auto& [a, b, c] = form.triangles[t];
             const ThinFace face = m_mesh.add_face(vertex(a), vertex(b), vertex(c));
             if (face != Mesh::null_face()) // else an edge has three faces there yet
@@ -75,7 +89,8 @@ public:
 
     std::size_t count() const { return m_mesh.number_of_faces(); }
 
-    void thin(std::size_t triangles, bool keepBends, const std::stop_token& stop)
+    /// Throws when stopped.
+    void thin(std::size_t triangles, bool keepBends)
     {
         std::vector<ThinEdge> bends;
         if (keepBends)
@@ -85,9 +100,9 @@ public:
         for (const ThinEdge e : bends)
             m_held[e] = true;
         const Sms::Constrained_placement<Sms::Midpoint_placement<Mesh>, HeldMap> place(m_held);
-        Sms::edge_collapse(m_mesh, FewEnough{triangles + triangles / 2, &stop},
+        Sms::edge_collapse(m_mesh, FewEnough{triangles + triangles / 2},
                            CGAL::parameters::edge_is_constrained_map(m_held)
-                               .get_cost(Sms::Edge_length_cost<Mesh>())
+                               .get_cost(LengthUnlessStopped{&m_stop})
                                .get_placement(place)
                                .filter(Sms::Bounded_normal_change_filter<>()));
         for (const ThinEdge e : bends)
@@ -95,6 +110,7 @@ public:
                 m_held[e] = false;
     }
 
+    /// Throws when stopped.
     TriangleMesh result(const std::vector<std::string>& names)
     {
         m_mesh.collect_garbage();
@@ -104,6 +120,8 @@ public:
         for (std::size_t part = 0; part < names.size(); ++part) {
             const auto first = static_cast<std::uint32_t>(mesh.triangles.size());
             for (const ThinFace f : m_mesh.faces()) {
+                if (m_stop.stop_requested())
+                    throw Stopped();
                 if (m_part[f] != static_cast<int>(part))
                     continue;
                 auto& corners = mesh.triangles.emplace_back();
@@ -118,14 +136,26 @@ public:
         return mesh;
     }
 
-    /// The farthest of some of these points from the triangles that are left, mm.
+    /// The farthest of some of these points from the triangles that are left, mm. Throws when stopped.
     double off(const std::vector<Vec3>& points) const
     {
-        const Tree tree(m_mesh.faces().begin(), m_mesh.faces().end(), m_mesh);
+        std::vector<FormTree::Triangle> triangles;
+        for (const ThinFace f : m_mesh.faces()) {
+            if (m_stop.stop_requested())
+                throw Stopped();
+            std::size_t k = 0;
+            auto& corners = triangles.emplace_back();
+            for (const auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+                corners[k++] = fromPoint(m_mesh.point(v));
+        }
+        const FormTree tree(std::move(triangles), m_stop);
         double most = 0;
-        for (std::size_t k = 0; k < points.size(); k += std::max<std::size_t>(1, points.size() / asked))
-            most = std::max(most, tree.squared_distance({points[k].x(), points[k].y(), points[k].z()}));
-        return std::sqrt(most);
+        for (std::size_t k = 0; k < points.size(); k += std::max<std::size_t>(1, points.size() / asked)) {
+            if (m_stop.stop_requested())
+                throw Stopped();
+            most = std::max(most, (tree.nearestTo(points[k]).at - points[k]).norm());
+        }
+        return most;
     }
 
 private:
@@ -152,25 +182,27 @@ private:
     Mesh m_mesh;
     Mesh::Property_map<ThinFace, int> m_part;
     HeldMap m_held;
+    const std::stop_token& m_stop;
 };
 
 } // namespace
 
-std::optional<ThinnedForm> thinForm(const TriangleMesh& mesh, const std::vector<std::vector<Vec3>>& rows,
-                                    std::size_t triangles, const std::stop_token& stop)
+/// Throws when stopped.
+static ThinnedForm thin(const TriangleMesh& mesh, const std::vector<std::vector<Vec3>>& rows, std::size_t triangles,
+                        const std::stop_token& stop)
 {
     ThinnedForm result;
-    WeldedForm form = weld(mesh);
+    WeldedForm form = weld(mesh, stop);
+    if (stop.stop_requested())
+        throw Stopped();
     turnAlike(form, result.notes, stop);
     partSheets(form, stop);
     if (stop.stop_requested())
-        return std::nullopt;
-    Thinning thinning(form, rows.empty() ? std::set<std::pair<int, int>>() : edgesAlong(form, rows));
-    thinning.thin(triangles, true, stop);
+        throw Stopped();
+    Thinning thinning(form, rows.empty() ? std::set<std::pair<int, int>>() : edgesAlong(form, rows), stop);
+    thinning.thin(triangles, true);
     if (static_cast<double>(thinning.count()) > nearlyThere * static_cast<double>(triangles))
-        thinning.thin(triangles, false, stop); // rough all over, as scans are
-    if (stop.stop_requested())
-        return std::nullopt;
+        thinning.thin(triangles, false); // rough all over, as scans are
     result.mesh = thinning.result(form.names);
     result.notes.insert(result.notes.begin(),
                         {QT_TRANSLATE_NOOP("Message", "The form has %1 triangles; %2 stand for it, which are up to "
@@ -178,6 +210,16 @@ std::optional<ThinnedForm> thinForm(const TriangleMesh& mesh, const std::vector<
                          {std::to_string(mesh.triangles.size()), std::to_string(result.mesh.triangles.size()),
                           numberText(thinning.off(form.points), 2)}});
     return result;
+}
+
+std::optional<ThinnedForm> thinForm(const TriangleMesh& mesh, const std::vector<std::vector<Vec3>>& rows,
+                                    std::size_t triangles, const std::stop_token& stop)
+{
+    try {
+        return thin(mesh, rows, triangles, stop);
+    } catch (const Stopped&) {
+        return std::nullopt;
+    }
 }
 
 } // namespace bolster

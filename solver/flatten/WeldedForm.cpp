@@ -1,6 +1,7 @@
 #include "WeldedForm.h"
 
 #include "HalfEdges.h"
+#include "SortUnlessStopped.h"
 #include "UnionFind.h"
 
 #include <CGAL/AABB_segment_primitive.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace bolster {
@@ -152,7 +154,7 @@ private:
 };
 
 /// Of triangles with the same corners the first one stays.
-void takeOnce(WeldedForm& form)
+void takeOnce(WeldedForm& form, const std::stop_token& stop)
 {
     std::vector<std::pair<WeldedForm::Corners, std::size_t>> sorted;
     sorted.reserve(form.triangles.size());
@@ -160,7 +162,9 @@ void takeOnce(WeldedForm& form)
         sorted.emplace_back(form.triangles[t], t);
         std::ranges::sort(sorted.back().first);
     }
-    std::ranges::sort(sorted);
+    sortUnlessStopped(sorted, std::less(), stop);
+    if (stop.stop_requested())
+        return;
     std::vector<bool> again(form.triangles.size(), false);
     for (std::size_t k = 1; k < sorted.size(); ++k)
         again[sorted[k].second] = sorted[k].first == sorted[k - 1].first;
@@ -179,12 +183,14 @@ void takeOnce(WeldedForm& form)
 
 } // namespace
 
-WeldedForm weld(const TriangleMesh& mesh)
+WeldedForm weld(const TriangleMesh& mesh, const std::stop_token& stop)
 {
     WeldedForm welded;
     std::map<std::array<long long, 3>, int> places; // in 0.1 micrometres: texts have rounded them alike
     std::vector<int> place(mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        if (stop.stop_requested())
+            return {};
         std::array<long long, 3> key{};
         for (int axis = 0; axis < 3; ++axis)
             key[axis] = std::llround(mesh.points[i][axis] * 1e4);
@@ -208,7 +214,7 @@ WeldedForm weld(const TriangleMesh& mesh)
         welded.names.push_back(there.name);
     if (welded.names.empty())
         welded.names.emplace_back();
-    takeOnce(welded);
+    takeOnce(welded, stop);
     return welded;
 }
 

@@ -24,7 +24,8 @@ struct WeldedForm {
     int twice = 0; ///< triangles that lay where another one does, and are left out
 };
 
-WeldedForm weld(const TriangleMesh& mesh);
+/// When stopped it means nothing.
+WeldedForm weld(const TriangleMesh& mesh, const std::stop_token& stop = {});
 
 /// Neighbours run along a common edge in opposite directions afterwards; each sheet as most of it does already, or,
 /// if it is closed, with its outside outside.

@@ -10,13 +10,23 @@ namespace bolster {
 
 namespace {
 
-Eigen::Vector3d limitsOf(const Design& design, const Patch& patch, const std::optional<double>& limit)
+Eigen::Vector3d limitsOf(const Design& design, const Patch& patch)
 {
-    if (limit)
-        return Eigen::Vector3d::Constant(*limit / 100);
     const auto* fabric = design.find<Fabric>(patch.fabric);
     const StretchLimits limits = fabric ? fabric->limits : StretchLimits{};
     return Eigen::Vector3d(limits.along, limits.across, limits.shear) / 100;
+}
+
+Eigen::Vector3d strainsAlongGrain(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& place, double degrees)
+{
+    const GrainStrain strain = grainStrain(rest, place, degrees * std::numbers::pi / 180);
+    return {strain.along, strain.across, strain.shear};
+}
+
+Eigen::Vector3d principalStrains(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& place)
+{
+    const Eigen::Vector2d stretches = principalStretches(rest, place);
+    return {stretches[0] - 1, stretches[1] - 1, 0};
 }
 
 } // namespace
@@ -41,10 +51,10 @@ CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec
             rest[k] = topology.pattern[topology.triangles[t][k]];
             place[k] = places[topology.triangles[t][k]];
         }
-        const GrainStrain strain = grainStrain(rest, place, patches[t]->grain * std::numbers::pi / 180);
         const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
-        result.strains.col(column) = Eigen::Vector3d(strain.along, strain.across, strain.shear);
-        result.limits.col(column) = limitsOf(design, *patches[t], limit);
+        result.strains.col(column) =
+            limit ? principalStrains(rest, place) : strainsAlongGrain(rest, place, patches[t]->grain);
+        result.limits.col(column) = limit ? Eigen::Vector3d::Constant(*limit / 100) : limitsOf(design, *patches[t]);
         result.areas[column] = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
     }
     return result;

@@ -13,13 +13,14 @@ namespace bolster {
 
 /// A column for each triangle; all but the areas are shares. Cloth that is pressed together counts, too.
 struct CoverStrains {
-    Eigen::Matrix3Xd strains;             ///< along the grain, across it, shear
+    Eigen::Matrix3Xd strains;             ///< along the grain, across it, shear; or the principal ones, and 0
     Eigen::Matrix3Xd limits;              ///< in their place
     Eigen::VectorXd areas;                ///< of the pattern, mm^2
     std::vector<std::uint32_t> triangles; ///< of the topology
 };
 
-/// `places` of the vertices, mm. `limit` (%) takes the place of the fabrics'. Of these triangles.
+/// `places` of the vertices, mm. Of these triangles. Fabrics have limits along the grain, across it and of shear;
+/// one `limit` (%) in their place holds in every direction, that is for principal strains, as the map shows them.
 CoverStrains coverStrains(const SurfaceTopology& topology, const std::vector<Vec3>& places, const Design& design,
                           const std::optional<double>& limit, const std::vector<std::uint32_t>& triangles);
 /// Of all triangles.

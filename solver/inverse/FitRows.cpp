@@ -22,12 +22,12 @@ constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
 constexpr double wantedLength = 0.3;
 constexpr double freeLength = 0.02;
 constexpr double straightWeight = 2;
-constexpr double cornerWeight = 50; // mm: of a radian
-constexpr double farthest = 60;     // mm: what is farther from the target does not belong to it
-constexpr double mostPoints = 1e6;  // of a target
-constexpr double mostPressed = 1;   // %: of cloth that lies smooth
-constexpr double smoothWeight = 3;  // 1 % pressed together is as bad as so many mm
-constexpr double sizeWeight = 8;    // 1 % of a patch's width is as bad as so many mm
+constexpr double cornerWeight = 50;  // mm: of a radian
+constexpr double farthest = 60;      // mm: what is farther from the target does not belong to it
+constexpr double mostPoints = 1e6;   // of a target
+constexpr double mostPressed = 0.01; // along the grain or across it, of cloth that lies smooth
+constexpr double smoothWeight = 3;   // 1 % pressed together is as bad as so many mm
+constexpr double sizeWeight = 8;     // 1 % of a patch's width is as bad as so many mm
 
 /// Control points of a straight edge, its ends included.
 std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
@@ -96,7 +96,7 @@ double pressedShare(const CoverStrains& strains)
 {
     double pressed = 0;
     for (Eigen::Index t = 0; t < strains.areas.size(); ++t)
-        if ((strains.strains.col(t).head<2>() + strains.limits.col(t).head<2>()).minCoeff() < 0)
+        if (strains.strains.col(t).head<2>().minCoeff() < -mostPressed)
             pressed += strains.areas[t];
     const double all = strains.areas.sum();
     return all > 0 ? pressed / all : 0;
@@ -298,11 +298,11 @@ void FitRows::addShyness(const SurfaceTopology& topology, const std::vector<Vec3
 void FitRows::addSmooth(const SurfaceTopology& topology, const std::vector<Vec3>& places,
                         std::vector<double>& rows) const
 {
-    const CoverStrains found = coverStrains(topology, places, m_design, mostPressed, m_smoothed);
+    const CoverStrains found = coverStrains(topology, places, m_design, std::nullopt, m_smoothed);
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 2; ++k) // along the grain and across it
-            rows.push_back(smoothWeight * mmOfStrain * std::min(0.0, found.strains(k, t) + found.limits(k, t)) *
+            rows.push_back(smoothWeight * mmOfStrain * std::min(0.0, found.strains(k, t) + mostPressed) *
                            std::sqrt(found.areas[t] / all));
 }
 
@@ -396,7 +396,7 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
         figures.strainRms =
             std::sqrt(found.strains.topRows(2).colwise().squaredNorm().dot(found.areas) / (2 * all));
     if (!m_goals.smooth.empty())
-        figures.pressed = pressedShare(coverStrains(topology, places, m_design, mostPressed,
+        figures.pressed = pressedShare(coverStrains(topology, places, m_design, std::nullopt,
                                                     trianglesIn(topology, m_design, {m_goals.smooth, {}})));
     if (!m_seams.empty())
         figures.seamRms = m_seams.rms(cover);

@@ -242,6 +242,21 @@ std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples)
     return result;
 }
 
+std::vector<float> correctedP95(std::vector<float> linearP95, const Eigen::MatrixXf& linear,
+                                const Tolerances& tolerances, const std::vector<const SweepSample*>& solved)
+{
+    std::vector<SweepSample> reckoned;
+    std::vector<const SweepSample*> same;
+    reckoned.reserve(solved.size());
+    for (const SweepSample* sample : solved)
+        if (sample->outside.size() == linearP95.size())
+            same.push_back(&reckoned.emplace_back(linearSample(linear, tolerances, sample->number)));
+    const std::vector<float> above = solvedP95(solved), below = solvedP95(same);
+    for (std::size_t v = 0; v < below.size(); ++v)
+        linearP95[v] = std::max(0.0F, linearP95[v] + above[v] - below[v]);
+    return linearP95;
+}
+
 std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,
                                const std::vector<double>& areasOfVertices)
 {

@@ -65,6 +65,10 @@ private:
 std::vector<float> linearP95(const Eigen::MatrixXf& linear, const Tolerances& tolerances, int samples,
                              const std::stop_token& stop = {});
 std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
+/// `linearP95` of many pieces, put right by some that are solved: plus what these exceed linear covers of the same
+/// pieces by (a control variate), so that what is chance in the few does not count.
+std::vector<float> correctedP95(std::vector<float> linearP95, const Eigen::MatrixXf& linear,
+                                const Tolerances& tolerances, const std::vector<const SweepSample*>& solved);
 
 /// How much of the variance of the whole cover comes of each tolerance, as shares.
 std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,

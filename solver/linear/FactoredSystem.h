@@ -14,8 +14,9 @@ class FactoredSystem {
 public:
     /// Finds the order of elimination and the structure of the factor. The lower triangle of the matrix is read;
     /// every column has a diagonal entry. `places` says where its unknowns lie: neighbours should be near each
-    /// other.
-    FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places);
+    /// other. When stopped, factor() fails.
+    FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places,
+                   const std::stop_token& stop = {});
 
     /// The numbers of this matrix or another of the same pattern. Returns ok(): false when it was not positive
     /// definite or not finite, or when stopped; solve() must not be called then.
@@ -32,6 +33,7 @@ public:
 
 private:
     PackedFactor m_packed;
+    bool m_ordered = false;
     bool m_ok = false;
 };
 

@@ -50,9 +50,10 @@ struct Adjacency {
 
 class Dissection {
 public:
-    Dissection(const Adjacency& graph, const Eigen::Matrix3Xd& places)
+    Dissection(const Adjacency& graph, const Eigen::Matrix3Xd& places, const std::stop_token& stop)
         : m_graph(graph)
         , m_places(places)
+        , m_stop(stop)
         , m_order(static_cast<std::size_t>(places.cols()))
         , m_part(m_order.size(), 0)
         , m_bin(m_order.size(), 0)
@@ -78,7 +79,7 @@ private:
 
     void divide(int begin, int end)
     {
-        if (end - begin <= leaf)
+        if (end - begin <= leaf || m_stop.stop_requested())
             return;
         const int part = ++m_parts;
         for (int i = begin; i < end; ++i)
@@ -253,6 +254,7 @@ private:
 
     const Adjacency& m_graph;
     const Eigen::Matrix3Xd& m_places;
+    const std::stop_token& m_stop;
     std::vector<int> m_order;
     std::vector<int> m_part; // which part an unknown lies in now; 0 when its place is settled
     int m_parts = 0;
@@ -263,9 +265,10 @@ private:
 
 } // namespace
 
-std::vector<int> nestedDissection(const Eigen::SparseMatrix<double>& lower, const Eigen::Matrix3Xd& places)
+std::vector<int> nestedDissection(const Eigen::SparseMatrix<double>& lower, const Eigen::Matrix3Xd& places,
+                                  const std::stop_token& stop)
 {
-    return Dissection(Adjacency(lower), places).run();
+    return Dissection(Adjacency(lower), places, stop).run();
 }
 
 } // namespace bolster

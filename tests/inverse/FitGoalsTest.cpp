@@ -1,5 +1,6 @@
 // Goals of a fit beside a form and strain: no folds, a seam along a curve, a patch of another size.
 #include "ArcLength.h"
+#include "CoverStrains.h"
 #include "PatternFit.h"
 #include "PatternLocator.h"
 #include "TestFreedoms.h"
@@ -34,6 +35,32 @@ ElementId firstPatch(const Design& design)
 double patchArea(const Design& design, ElementId patch)
 {
     return std::abs(design.find<Patch>(patch)->outline.signedArea());
+}
+
+/// As it is seen: the map shows principal strains, in colours that know no grain.
+TEST(FitGoals, OneLimitHoldsInEveryDirection)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    SurfaceTopology flat;
+    flat.pattern = {Vec2(0, 0), Vec2(10, 0), Vec2(0, 10)};
+    flat.triangles = {{0, 1, 2}};
+    flat.patches = {{.patch = firstPatch(design), .firstTriangle = 0, .triangleCount = 1}};
+    const auto areaOver = [&](const Eigen::Matrix2d& map) {
+        std::vector<Vec3> places;
+        for (const auto& at : flat.pattern)
+            places.emplace_back(map(0, 0) * at.x() + map(0, 1) * at.y(), map(1, 0) * at.x() + map(1, 1) * at.y(),
+                                0);
+        return overLimit(coverStrains(flat, places, design, 2)).area;
+    };
+    const auto symmetric = [](double x, double y, double shear) {
+        return (Eigen::Matrix2d() << 1 + x, shear / 2, shear / 2, 1 + y).finished();
+    };
+    EXPECT_EQ(areaOver(symmetric(0.021, 0, 0)), 1);
+    EXPECT_EQ(areaOver(symmetric(0, -0.021, 0)), 1);
+    EXPECT_EQ(areaOver(symmetric(0.019, -0.019, 0)), 0);
+    EXPECT_EQ(areaOver(symmetric(0, 0, 0.038)), 0) << "1.9 % on the bias, whatever angle threads take";
+    EXPECT_EQ(areaOver(symmetric(0, 0, 0.042)), 1);
+    EXPECT_EQ(areaOver(symmetric(0.012, 0.012, 0.02)), 1) << "2.2 % on the bias, less along every thread";
 }
 
 TEST(FitGoals, APatchGetsTheSizeThatIsWanted)

@@ -208,6 +208,18 @@ double error(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix4Xf& 
     return (product.transpose() - right).norm() / right.norm();
 }
 
+TEST(FactoredSystem, IsNotFactoredWhenStopped)
+{
+    const Grid grid(40, 33);
+    std::stop_source source;
+    source.request_stop();
+    FactoredSystem unordered(grid.matrix, grid.places, source.get_token());
+    EXPECT_FALSE(unordered.factor(grid.matrix, onePool)) << "it has no order";
+    FactoredSystem ordered(grid.matrix, grid.places);
+    EXPECT_FALSE(ordered.factor(grid.matrix, onePool, source.get_token()));
+    EXPECT_TRUE(ordered.factor(grid.matrix, onePool));
+}
+
 TEST(FactoredSystem, SolvesGridsOfAnySize)
 {
     for (const auto& [columns, rows] : {std::pair(1, 1), {3, 1}, {1, 50}, {7, 5}, {40, 33}, {90, 70}}) {

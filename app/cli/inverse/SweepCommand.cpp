@@ -205,6 +205,8 @@ private:
         }
         if (!solved.empty()) {
             const auto out = std::ranges::count_if(solved, [&](const SweepSample& s) { return isOut(s, m_spec); });
+            const MapFigures corrected = figuresOf(correctedP95(m_linearP95, m_linear, m_spec.tolerances, resting));
+            report["corrected"] = {{"samples", resting.size()}, {"p95", asJson(corrected)}};
             report["solved"] = {{"samples", solved.size()},
                                 {"without_cover", solved.size() - resting.size()},
                                 {"out_of_limits", out},
