@@ -25,7 +25,6 @@ namespace bolster {
 namespace {
 
 constexpr int freedomColumns = 4;
-constexpr double keptShape = 0.5; // weight against strain
 
 } // namespace
 
@@ -205,7 +204,7 @@ FitOrder FitOrderPanel::order() const
     order.goals.strain = m_strained->isChecked();
     if (m_strained->isChecked()) // else those of the fabrics
         order.goals.limit = m_limit->value();
-    order.goals.keepShape = m_lies->isChecked() ? 0 : keptShape;
+    order.goals.keepShape = m_lies->isChecked() ? 0 : FitGoals::lightly;
     if (m_area->wanted())
         order.goals.area.spots = m_area->spots();
     addSelectedGoals(order.goals);

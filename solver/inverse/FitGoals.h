@@ -62,17 +62,23 @@ struct FitArea {
 };
 
 struct FitGoals {
-    FitTarget target;            ///< weight 1: what counts is the mean square distance, mm
-    double targetWeight = 1;     ///
-    bool strain = false;         ///< to be below the fabrics' limits
-    std::optional<double> limit; ///< in %, in their place
-    double strainWeight = 2;     ///< 1 % over the limit is as bad as 1 mm
-    double keepShape = 0;        ///< weight of the distance from where the cover is now
-    FitArea area;                ///< that the target and the limits are about
-    std::set<ElementId> smooth;  ///< patches in which no cloth shall be pressed together, which makes folds
+    FitTarget target;                       ///< weight 1: what counts is the mean square distance, mm
+    double targetWeight = 1;                ///
+    bool strain = false;                    ///< to be below the fabrics' limits
+    std::optional<double> limit;            ///< in %, in their place
+    double strainWeight = 2;                ///< 1 % over the limit is as bad as 1 mm
+    double keepShape = 0;                   ///< weight of the distance from where the cover is now
+    static constexpr double lightly = 0.25; ///< likewise: it stays about there
+    double shapeWithin = 1;     ///< mm, rms of that distance, for limits alone: what is beyond counts much more
+    FitArea area;               ///< that the target and the limits are about
+    std::set<ElementId> smooth; ///< patches in which no cloth shall be pressed together, which makes folds
     std::vector<SeamGoal> seams;
     std::vector<SizeGoal> sizes;
 
+    bool isLimitAlone() const
+    {
+        return strain && target.empty() && smooth.empty() && seams.empty() && sizes.empty();
+    }
     bool any() const { return !target.empty() || strain || !smooth.empty() || !seams.empty() || !sizes.empty(); }
 };
 

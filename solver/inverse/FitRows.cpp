@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 namespace bolster {
 
@@ -27,6 +29,8 @@ constexpr double farthest = 60;      // mm: what is farther from the target does
 constexpr double mostPoints = 1e6;   // of a target
 constexpr double mostPressed = 0.01; // along the grain or across it, of cloth that lies smooth
 constexpr double smoothWeight = 3;   // 1 % pressed together is as bad as so many mm
+constexpr double beyondShape = 2;    // weight of 1 mm that the cover goes farther than it may
+constexpr double nearlyBeyond = 0.9; // of how far it may go: there that begins
 constexpr double sizeWeight = 8;     // 1 % of a patch's width is as bad as so many mm
 
 /// Control points of a straight edge, its ends included.
@@ -211,6 +215,7 @@ void FitRows::aim(const WarmCover& cover)
 {
     m_aims.clear();
     addAims(cover, m_goals.target, m_goals.targetWeight, false);
+    m_keptFirst = m_aims.size();
     if (m_goals.keepShape > 0)
         addAims(cover, m_kept, m_goals.keepShape, true);
     m_seams.aim(cover);
@@ -361,6 +366,12 @@ Eigen::VectorXd FitRows::rows(const SurfaceTopology& topology, const std::vector
     std::vector<double> rows;
     for (const Aim& aim : m_aims)
         rows.push_back(aim.weight * (aim.normal.dot(places[aim.vertex]) - aim.height));
+    if (m_goals.keepShape > 0 && m_goals.isLimitAlone()) {
+        const std::span kept = std::span(rows).subspan(m_keptFirst);
+        const double rms =
+            std::sqrt(std::inner_product(kept.begin(), kept.end(), kept.begin(), 0.0)) / m_goals.keepShape;
+        rows.push_back(beyondShape * std::max(0.0, rms - nearlyBeyond * m_goals.shapeWithin));
+    }
     if (m_goals.strain)
         addStrain(topology, places, rows);
     else if (!m_goals.target.empty())

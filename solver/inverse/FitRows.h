@@ -64,6 +64,7 @@ private:
     Design m_design;
     std::vector<Wanted> m_wanted; // of all seams
     std::vector<Aim> m_aims;
+    std::size_t m_keptFirst = 0;                       // of those, that are about where the cover has been
     std::vector<std::uint32_t> m_strained, m_smoothed; // triangles of these goals
     FitTarget m_kept;
     std::vector<double> m_unwanted; // of each patch of the cover that was kept

@@ -25,14 +25,16 @@ constexpr double alike = 0.2;          // what few triangles have led to leaves 
 constexpr double farFromFew = 4;       // times what few triangles have reached: they are not alike
 constexpr double restTolerance = 1e-5; // relative to D
 constexpr double worthIt = 1.7;        // times as many vertices as before
-constexpr double settled = 0.03;       // a round that makes less of the error than that is the last one
-constexpr double settledPlaces = 0.1;  // likewise where the cover lies
-constexpr double settledFew = 0.3;     // likewise, where more triangles follow
-constexpr double settledStep = 0.05;   // likewise of a step
-constexpr double stuckPromise = 0.5;   // of the cost: what no step kept of it is worth shorter ones
-constexpr double leastPromise = 0.01;  // what a step must promise to be tried
-constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
-constexpr int iterationsBeside = 40;   // of covers that derivatives are taken from: they take some 15
+constexpr double forStrain = 0.4; // times the weight of a change where a limit of strain is the only goal: it is
+                                  // about less than a millimetre
+constexpr double settled = 0.03;  // a round that makes less of the error than that is the last one
+constexpr double settledPlaces = 0.1; // likewise where the cover lies
+constexpr double settledFew = 0.3;    // likewise, where more triangles follow
+constexpr double settledStep = 0.05;  // likewise of a step
+constexpr double stuckPromise = 0.5;  // of the cost: what no step kept of it is worth shorter ones
+constexpr double leastPromise = 0.01; // what a step must promise to be tried
+constexpr int mostIterations = 600;   // of a cover beside the present one: others are farther away than is tried
+constexpr int iterationsBeside = 40;  // of covers that derivatives are taken from: they take some 15
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
@@ -78,13 +80,6 @@ std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<c
     return entries;
 }
 
-/// What is below the limits already need not be changed for them; other goals are never reached wholly.
-bool isLimitAlone(const FitGoals& goals)
-{
-    return goals.strain && goals.target.empty() && goals.smooth.empty() && goals.seams.empty() &&
-           goals.sizes.empty();
-}
-
 class Fit {
 public:
     Fit(const SolveInput& input, const FitOrder& order,
@@ -106,7 +101,8 @@ public:
         rows.setFromTriplets(entries.begin(), entries.end());
         m_change = 4 * Eigen::MatrixXd(rows.transpose() * rows);
         m_change.diagonal().array() += 1;
-        m_change *= order.locks.change * order.locks.change;
+        const double weight = order.locks.change * (order.goals.isLimitAlone() ? forStrain : 1);
+        m_change *= weight * weight;
     }
 
     FitResult run()
@@ -114,7 +110,8 @@ public:
         const std::vector<double> edges = edgesFor(m_input.design);
         m_stages = static_cast<int>(edges.size()) + 1;
         m_fewEdge = edges.front();
-        if (isLimitAlone(m_order.goals) && begin(edges.back()) && m_result.before.overLimit == 0) {
+        // What is below the limits already need not be changed for them; other goals are never reached wholly.
+        if (m_order.goals.isLimitAlone() && begin(edges.back()) && m_result.before.overLimit == 0) {
             m_result.after = m_result.before;
             m_result.status = FitResult::Status::NothingToDo;
             return std::move(m_result);

@@ -19,7 +19,7 @@ struct FitOrder {
     std::vector<Freedom> freedoms;
     double mostChange = 20; ///< mm that a control point may move; of other freedoms: 20 steps
     static constexpr double leastChange = 0.01, farthestChange = 1000; ///< what can be asked for
-    int mostRounds = 8;                                                ///< of each triangulation
+    int mostRounds = 16;                                               ///< of each triangulation
     int threads = 0;                                                   ///< 0: as many as the machine has
 };
 

@@ -71,10 +71,19 @@ double distanceAfterFit(const BSpline2& outline, const BSpline2& known)
     return fitted(samplesOf(outline, 300), known, best, 40).rms;
 }
 
+double areaOf(const TriangleMesh& mesh)
+{
+    double area = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        area += 0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
+    return area;
+}
+
 struct Figures {
     double rms = 0;   ///< mm, over all outlines
     double worst = 0; ///< mm, rms of the worst outline
     double area = 0;  ///< of all pieces together, relative difference
+    double own = 0;   ///< the same from the form's own area
     double sewn = 0;  ///< mm, largest difference of the two sides of a seam
 };
 
@@ -116,18 +125,19 @@ Figures figuresOf(const TriangleMesh& mesh, const Design& known)
         figures.sewn = std::max(figures.sewn, std::abs(seam.first - seam.second));
     figures.rms = std::sqrt(squares / std::max(count, 1));
     figures.area = std::abs(whole / knownWhole - 1);
-    std::cout << "all: " << figures.rms << " mm rms, area within " << 100 * figures.area
-              << " %, sewn lengths within " << figures.sewn << " mm\n";
+    figures.own = std::abs(whole / areaOf(mesh) - 1);
+    std::cout << "all: " << figures.rms << " mm rms, area within " << 100 * figures.area << " % (of the form's own "
+              << 100 * figures.own << " %), sewn lengths within " << figures.sewn << " mm\n";
     return figures;
 }
 
-/// The known outlines have rounded corners where strips end (they were fitted within 0.9 mm), so they are smaller
-/// than what they were cut of: the surface of the car seat's pieces, measured on its triangles, is 0.3 % larger as
-/// well.
+/// The true surfaces are larger than the patterns that they were made of, the armchair's body by 0.28 %, the car
+/// seat by 0.34 %: the known outlines have rounded corners where strips end (they were fitted within 0.9 mm).
 void expectReached(const Figures& figures)
 {
     EXPECT_LT(figures.rms, 1.0);
-    EXPECT_LT(figures.area, 0.005);
+    EXPECT_LT(figures.own, 0.0002);
+    EXPECT_LT(figures.area, 0.0035);
     EXPECT_LT(figures.sewn, 0.2);
 }
 

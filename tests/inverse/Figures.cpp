@@ -210,7 +210,7 @@ void printStrains(const std::vector<Real>& covers, const Amount& amount)
                                    real.input.files};
             FitOrder order;
             order.goals.strain = true;
-            order.goals.keepShape = 0.5;
+            order.goals.keepShape = FitGoals::lightly;
             order.goals.limit = amount.limit;
             order.freedoms = outlineFreedoms(wrong.design);
             const Stopwatch watch;

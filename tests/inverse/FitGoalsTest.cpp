@@ -17,7 +17,7 @@ constexpr double coarseEdge = 25; // mm, so that a fit takes a second
 FitOrder orderFor(const Design& design)
 {
     FitOrder order;
-    order.goals.keepShape = 0.5;
+    order.goals.keepShape = FitGoals::lightly;
     order.freedoms = outlineFreedoms(design);
     return order;
 }

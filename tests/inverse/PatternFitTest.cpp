@@ -250,7 +250,7 @@ TEST(PatternFit, StrainComesBelowItsLimit)
     FitOrder order;
     order.goals.strain = true;
     order.goals.limit = 2;
-    order.goals.keepShape = 0.5;
+    order.goals.keepShape = FitGoals::lightly;
     order.freedoms = outlineFreedoms(b.design());
     const FitResult result = fitPattern(b.design(), order);
     ASSERT_EQ(result.status, FitResult::Status::Done) << result.reason.english();

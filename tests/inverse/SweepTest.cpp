@@ -120,6 +120,31 @@ TEST(Sweep, LinearFiguresAreNearSolvedOnes)
     EXPECT_NEAR(rms(reckoned), rms(found), 0.1 * rms(found));
 }
 
+TEST(Sweep, SolvedPiecesCorrectLinearOnes)
+{
+    Tolerances tolerances;
+    tolerances.all = {Tolerance{{}, 1, "a"}, Tolerance{{}, 1, "b"}};
+    const Eigen::MatrixXf linear = (Eigen::MatrixXf(3, 4) << 1, -1, 0, 0, 0, 0, 2, -2, 1, -1, 1, -1).finished();
+    const std::vector<float> many = linearP95(linear, tolerances, 10'000);
+    EXPECT_NEAR(many[0], 0.95, 0.01);
+    EXPECT_NEAR(many[1], 1.9, 0.02);
+    std::vector<SweepSample> solved;
+    std::vector<const SweepSample*> all;
+    for (std::uint64_t number = 0; number < 64; ++number)
+        solved.push_back(linearSample(linear, tolerances, number));
+    for (const SweepSample& sample : solved)
+        all.push_back(&sample);
+    const std::vector<float> same = correctedP95(many, linear, tolerances, all);
+    for (std::size_t v = 0; v < many.size(); ++v)
+        EXPECT_NEAR(same[v], many[v], 1e-5) << "as linear as they were thought to be";
+    for (SweepSample& sample : solved)
+        sample.outside[1] *= 1.5F;
+    const std::vector<float> corrected = correctedP95(many, linear, tolerances, all);
+    EXPECT_NEAR(corrected[0], many[0], 1e-5);
+    EXPECT_NEAR(corrected[1], 1.5 * many[1], 0.15) << "what 64 pieces leave to chance is half of it";
+    EXPECT_EQ(correctedP95(many, linear, tolerances, {}), many);
+}
+
 TEST(Sweep, InfluencesAreSharesAndFindWhatMatters)
 {
     const Design design = coarseSample("box-cushion", 30);

@@ -276,7 +276,7 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
         throw UsageError("to what? --to FILE, scan, strain, smooth:, seam: or size:");
     if (arguments.has("--limit"))
         goals.limit = arguments.number("--limit", 0, strainLimit.least, strainLimit.most);
-    goals.keepShape = goals.target.empty() ? 0.5 : 0;
+    goals.keepShape = goals.target.empty() ? FitGoals::lightly : 0;
     asked.order.mostChange =
         arguments.number("--max-change", asked.order.mostChange, FitOrder::leastChange, FitOrder::farthestChange);
     asked.order.threads = arguments.integer("--threads", 0, 0, 1024);
