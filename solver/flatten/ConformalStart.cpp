@@ -1,6 +1,6 @@
 #include "ConformalStart.h"
 
-#include "FactoredSystem.h"
+#include "PieceSystem.h"
 
 #include <cmath>
 #include <limits>
@@ -35,13 +35,12 @@ public:
     {
         Eigen::MatrixX2d at = Eigen::MatrixX2d::Zero(m_places.cols(), 2);
         at.row(m_held.second) = Eigen::RowVector2d(apart(), 0);
-        FactoredSystem system(m_matrix, unknownPlaces(), m_stop);
-        WorkerPool alone(1);
-        if (!system.factor(m_matrix, alone, m_stop)) {
+        PieceSystem system(m_matrix, unknownPlaces(), m_stop);
+        if (!system.factor(m_matrix, bent(), m_stop)) {
             at.setConstant(std::numeric_limits<double>::quiet_NaN());
             return at;
         }
-        const Eigen::VectorXd solved = corrected(system, alone);
+        const Eigen::VectorXd solved = corrected(system);
         for (Eigen::Index v = 0; v < m_places.cols(); ++v)
             if (m_number[v] >= 0)
                 at.row(v) = solved.segment<2>(m_number[v]).transpose();
@@ -92,21 +91,28 @@ private:
         return places;
     }
 
-    Eigen::VectorXd corrected(FactoredSystem& system, WorkerPool& pool) const
+    /// The square of a complex number is a conformal map: bent like that the system hardly resists.
+    Eigen::MatrixXd bent() const
+    {
+        const Vec3 from = m_places.col(m_held.first), along = (m_places.col(m_held.second) - from) / apart();
+        Eigen::MatrixXd places(2 * m_free, 1);
+        for (Eigen::Index v = 0; v < m_places.cols(); ++v) {
+            if (m_number[v] < 0)
+                continue;
+            const Vec3 way = m_places.col(v) - from;
+            const double x = way.dot(along) / apart(), y = (way - way.dot(along) * along).norm() / apart();
+            places.middleRows<2>(m_number[v]) << x * x - y * y, 2 * x * y;
+        }
+        return places;
+    }
+
+    Eigen::VectorXd corrected(PieceSystem& system) const
     {
         Eigen::VectorXd solved = Eigen::VectorXd::Zero(2 * m_free), left = m_right;
         for (int round = 0; round < mostCorrections && !m_stop.stop_requested(); ++round) {
-            double farthest = 0;
-            system.x().setZero();
-            for (Eigen::Index k = 0; k < left.size(); ++k)
-                system.x()(0, system.slots()[k]) = static_cast<float>(left[k]);
-            system.solve(pool);
-            for (Eigen::Index k = 0; k < left.size(); ++k) {
-                const double step = system.x()(0, system.slots()[k]);
-                solved[k] += step;
-                farthest = std::max(farthest, std::abs(step));
-            }
-            if (!(farthest > closeEnough * apart()))
+            const Eigen::VectorXd step = system.solve(left);
+            solved += step;
+            if (!(step.cwiseAbs().maxCoeff() > closeEnough * apart()))
                 break;
             left = m_right - m_matrix.selfadjointView<Eigen::Lower>() * solved;
         }

@@ -1,7 +1,7 @@
 #include "Flatten.h"
 
 #include "ConformalStart.h"
-#include "FactoredSystem.h"
+#include "PieceSystem.h"
 
 #include <algorithm>
 #include <array>
@@ -79,8 +79,7 @@ public:
         matrix.setFromTriplets(entries.begin(), entries.end());
         if (!m_system) // what is where stays from pass to pass
             m_system.emplace(matrix, m_places, stop);
-        WorkerPool alone(1);
-        if (!m_system->factor(matrix, alone, stop))
+        if (!m_system->factor(matrix, alongIt(), stop))
             m_at.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
 
@@ -110,7 +109,7 @@ public:
             left.row(edge.to) += pull.transpose();
             left.row(edge.from) -= pull.transpose();
         }
-        const Eigen::MatrixX2d step = solved(left);
+        const Eigen::MatrixX2d step = m_system->solve(left);
         m_at += step;
         // Where the piece lies does not matter: what counts is how its shape has changed.
         const Eigen::RowVector2d drift = step.colwise().mean();
@@ -179,16 +178,12 @@ public:
     }
 
 private:
-    Eigen::MatrixX2d solved(const Eigen::MatrixX2d& right)
+    /// Along the longest extent: what springs between neighbours resist least.
+    Eigen::MatrixXd alongIt() const
     {
-        for (Eigen::Index v = 0; v < m_count; ++v)
-            m_system->x().col(m_system->slots()[v]) << right.row(v).transpose().cast<float>(), 0, 0;
-        WorkerPool alone(1);
-        m_system->solve(alone);
-        Eigen::MatrixX2d found(m_count, 2);
-        for (Eigen::Index v = 0; v < m_count; ++v)
-            found.row(v) = m_system->x().col(m_system->slots()[v]).head<2>().transpose().cast<double>();
-        return found;
+        const auto [first, second] = farApart();
+        const Vec3 along = (point(second) - point(first)).normalized();
+        return (along.transpose() * (m_places.colwise() - point(first))).transpose();
     }
 
     const Vec3& point(int vertex) const { return m_form.points[m_piece.points[vertex]]; }
@@ -287,7 +282,7 @@ private:
     double m_seamWeight = 0;
     double m_meanArea = 0;     // of facets, mm^2
     Eigen::Matrix3Xd m_places; // of the vertices on the form, mm
-    std::optional<FactoredSystem> m_system;
+    std::optional<PieceSystem> m_system;
     Eigen::MatrixX2d m_at;
 };
 

@@ -75,6 +75,10 @@ struct FitGoals {
     std::vector<SeamGoal> seams;
     std::vector<SizeGoal> sizes;
 
+    bool isFormAlone() const
+    {
+        return !target.empty() && !strain && smooth.empty() && seams.empty() && sizes.empty();
+    }
     bool isLimitAlone() const
     {
         return strain && target.empty() && smooth.empty() && seams.empty() && sizes.empty();

@@ -25,16 +25,14 @@ constexpr double alike = 0.2;          // what few triangles have led to leaves 
 constexpr double farFromFew = 4;       // times what few triangles have reached: they are not alike
 constexpr double restTolerance = 1e-5; // relative to D
 constexpr double worthIt = 1.7;        // times as many vertices as before
-constexpr double forStrain = 0.4; // times the weight of a change where a limit of strain is the only goal: it is
-                                  // about less than a millimetre
-constexpr double settled = 0.03;  // a round that makes less of the error than that is the last one
-constexpr double settledPlaces = 0.1; // likewise where the cover lies
-constexpr double settledFew = 0.3;    // likewise, where more triangles follow
-constexpr double settledStep = 0.05;  // likewise of a step
-constexpr double stuckPromise = 0.5;  // of the cost: what no step kept of it is worth shorter ones
-constexpr double leastPromise = 0.01; // what a step must promise to be tried
-constexpr int mostIterations = 600;   // of a cover beside the present one: others are farther away than is tried
-constexpr int iterationsBeside = 40;  // of covers that derivatives are taken from: they take some 15
+constexpr double settled = 0.03;       // a round that makes less of the error than that is the last one
+constexpr double settledPlaces = 0.1;  // likewise where the cover lies
+constexpr double settledFew = 0.3;     // likewise, where more triangles follow
+constexpr double settledStep = 0.05;   // likewise of a step
+constexpr double stuckPromise = 0.5;   // of the cost: what no step kept of it is worth shorter ones
+constexpr double leastPromise = 0.01;  // what a step must promise to be tried
+constexpr int mostIterations = 600;    // of a cover beside the present one: others are farther away than is tried
+constexpr int iterationsBeside = 40;   // of covers that derivatives are taken from: they take some 15
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
@@ -80,6 +78,12 @@ std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<c
     return entries;
 }
 
+/// Sides of seams that come nearer to each other are no help when the cover has gone farther from the form.
+bool isAsWanted(const FitGoals& goals, const FitFigures& before, const FitFigures& after)
+{
+    return !goals.isFormAlone() || after.distanceRms < before.distanceRms;
+}
+
 class Fit {
 public:
     Fit(const SolveInput& input, const FitOrder& order,
@@ -101,8 +105,7 @@ public:
         rows.setFromTriplets(entries.begin(), entries.end());
         m_change = 4 * Eigen::MatrixXd(rows.transpose() * rows);
         m_change.diagonal().array() += 1;
-        const double weight = order.locks.change * (order.goals.isLimitAlone() ? forStrain : 1);
-        m_change *= weight * weight;
+        m_change *= order.locks.change * order.locks.change;
     }
 
     FitResult run()
@@ -309,7 +312,9 @@ private:
                 break;
         }
         m_result.jumped = least >= sprang * reached;
-        if (!(least < leastWorth * untouchedCost(edge))) { // it has led to other folds, or to nothing at all
+        if (!(least < leastWorth * untouchedCost(edge)) ||
+            !isAsWanted(m_order.goals, m_result.before,
+                        m_result.after)) { // it has led to other folds, or to nothing at all
             best.setZero();
             m_result.after = m_result.before;
         }
@@ -632,7 +637,8 @@ std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOr
         return std::nullopt;
     rows.aim(cover);
     measured.after = rows.figures(cover, changed);
-    measured.better = rows.rows(cover, changed).squaredNorm() < cost;
+    measured.better =
+        rows.rows(cover, changed).squaredNorm() < cost && isAsWanted(order.goals, measured.before, measured.after);
     return measured;
 }
 

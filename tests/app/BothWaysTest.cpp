@@ -101,6 +101,20 @@ protected:
         FAIL() << "no button " << text.toStdString();
     }
 
+    /// A design that has a frame, and nothing else.
+    ElementId openFrame(const char* name, const char* file)
+    {
+        Frame frame;
+        frame.name = name;
+        frame.file = file;
+        const Design empty;
+        const QString path = folder.filePath("frame.json");
+        writeText(path, writeDesign(empty.with({{}, {{empty.nextId(), nullptr, makeElement(frame)}}})));
+        EXPECT_TRUE(open(path));
+        waitForBackground();
+        return empty.nextId();
+    }
+
     PatternFitWindow* openFit()
     {
         designer.choose({"Pattern", "Fit to a goal"});
@@ -158,14 +172,7 @@ protected:
 TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
 {
     writeBowl(folder.filePath("bowl.obj"));
-    Design start;
-    Frame frame;
-    frame.name = "Bucket";
-    frame.file = "bowl.obj";
-    start = start.with({{}, {{start.nextId(), nullptr, makeElement(frame)}}});
-    writeText(folder.filePath("bucket.json"), writeDesign(start));
-    ASSERT_TRUE(open(folder.filePath("bucket.json")));
-    waitForBackground();
+    openFrame("Bucket", "bowl.obj");
     window.coverView().navigation().setStandardView(CoverView::StandardView::Top);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return window.coverView().navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-9); }, 10000));
@@ -203,15 +210,7 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
 TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)
 {
     writeBowl(folder.filePath("bowl.obj"));
-    Design start;
-    Frame frame;
-    frame.name = "Bucket";
-    frame.file = "bowl.obj";
-    const ElementId id = start.nextId();
-    start = start.with({{}, {{id, nullptr, makeElement(frame)}}});
-    writeText(folder.filePath("bucket.json"), writeDesign(start));
-    ASSERT_TRUE(open(folder.filePath("bucket.json")));
-    waitForBackground();
+    const ElementId id = openFrame("Bucket", "bowl.obj");
     designer.choose({"Pattern", "From a form"});
     auto* dialog = window.findChild<FormPatternWindow*>();
     ASSERT_TRUE(dialog);
@@ -248,14 +247,7 @@ f 2 3 7 6
 f 3 4 8 7
 f 4 1 5 8
 )");
-    Frame frame;
-    frame.name = "Box";
-    frame.file = "box.obj";
-    Design start;
-    start = start.with({{}, {{start.nextId(), nullptr, makeElement(frame)}}});
-    writeText(folder.filePath("box.json"), writeDesign(start));
-    ASSERT_TRUE(open(folder.filePath("box.json")));
-    waitForBackground();
+    openFrame("Box", "box.obj");
     designer.choose({"Pattern", "From a form"});
     auto* dialog = window.findChild<FormPatternWindow*>();
     ASSERT_TRUE(dialog);
@@ -322,14 +314,7 @@ TEST_F(BothWaysTest, AFrameFromCadIsCutAtTheEdgesOfItsFaces)
 {
     ASSERT_TRUE(QFile::copy(QString::fromStdString(test::dataFolder() + "/frames/two-faces.step"),
                             folder.filePath("seat.step")));
-    Frame frame;
-    frame.name = "Seat";
-    frame.file = "seat.step";
-    const Design start;
-    writeText(folder.filePath("seat.json"),
-              writeDesign(start.with({{}, {{start.nextId(), nullptr, makeElement(frame)}}})));
-    ASSERT_TRUE(open(folder.filePath("seat.json")));
-    waitForBackground();
+    openFrame("Seat", "seat.step");
     designer.choose({"Pattern", "From a form"});
     auto* dialog = window.findChild<FormPatternWindow*>();
     ASSERT_TRUE(dialog);

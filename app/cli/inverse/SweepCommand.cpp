@@ -105,20 +105,28 @@ Json asJson(const MapFigures& figures)
     return {{"rms_mm", figures.rms}, {"p95_mm", figures.p95}, {"max_mm", figures.most}};
 }
 
-std::string plyOf(const SurfaceMesh& surface, const std::vector<float>& linear, const std::vector<float>& solved)
+/// What 95 % of the pieces do not exceed at each vertex, mm; nothing is solved: the last two are empty.
+struct Maps {
+    std::vector<float> linear, corrected, solved;
+};
+
+std::string plyOf(const SurfaceMesh& surface, const Maps& maps)
 {
     std::string text = "ply\nformat ascii 1.0\ncomment mm, z up; what 95 % of the samples do not exceed, in mm\n";
     text += "element vertex " + std::to_string(surface.positions.size()) +
             "\nproperty float x\nproperty float y\nproperty float z\nproperty float linear_p95\n";
-    text += solved.empty() ? "" : "property float p95\n";
+    text += maps.solved.empty() ? "" : "property float corrected_p95\nproperty float p95\n";
     text += "element face " + std::to_string(surface.topology->triangles.size()) +
             "\nproperty list uchar int vertex_indices\nend_header\n";
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
         for (int axis = 0; axis < 3; ++axis)
             text += numberText(surface.positions[v][axis], 7) + " ";
-        text += numberText(linear[v], 4);
-        if (!solved.empty())
-            text.append(" ").append(numberText(solved[v], 4));
+        text += numberText(maps.linear[v], 4);
+        if (!maps.solved.empty())
+            text.append(" ")
+                .append(numberText(maps.corrected[v], 4))
+                .append(" ")
+                .append(numberText(maps.solved[v], 4));
         text += "\n";
     }
     for (const auto& t : surface.topology->triangles)
@@ -158,7 +166,7 @@ public:
         m_linear = sweep.linear(
             [&](double share) { line.say("derivatives, " + numberText(std::floor(100 * share), 3) + " %"); }, stop);
         line.say("linear samples");
-        m_linearP95 = linearP95(m_linear, spec.tolerances, linearSamples, stop);
+        m_maps.linear = linearP95(m_linear, spec.tolerances, linearSamples, stop);
     }
 
     /// Returns what went wrong.
@@ -173,24 +181,26 @@ public:
         for (const SweepSample& sample : solved)
             if (!sample.outside.empty())
                 resting.push_back(&sample);
-        const std::vector<float> map = solvedP95(resting);
+        m_maps.solved = solvedP95(resting);
+        if (!resting.empty())
+            m_maps.corrected = correctedP95(m_maps.linear, m_linear, m_spec.tolerances, resting);
         if (std::ssize(solved) != samples)
             return "samples are missing";
         if (m_sweep.unknown().size() == m_spec.tolerances.all.size() && resting.empty())
             return "with none of these tolerances a cover is found: make them smaller";
-        for (const auto& [name, text] : {std::pair("report.json", report(solved, resting, map).dump(1) + "\n"),
-                                         std::pair("samples.csv", csvOf(solved)),
-                                         std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_linearP95, map))})
+        for (const auto& [name, text] :
+             {std::pair("report.json", report(solved, resting).dump(1) + "\n"),
+              std::pair("samples.csv", csvOf(solved)), std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_maps))})
             if (const Message problem = replaceOwnFile(folder.file(name), text); !problem.empty())
                 return problem.english();
         return {};
     }
 
 private:
-    Json report(const std::vector<SweepSample>& solved, const std::vector<const SweepSample*>& resting,
-                const std::vector<float>& map)
+    Json report(const std::vector<SweepSample>& solved, const std::vector<const SweepSample*>& resting)
     {
-        const MapFigures linear = figuresOf(m_linearP95), found = figuresOf(map);
+        const MapFigures linear = figuresOf(m_maps.linear), found = figuresOf(m_maps.solved),
+                         corrected = figuresOf(m_maps.corrected);
         Json report{{"linear", {{"samples", m_count}, {"p95", asJson(linear)}}}};
         printResult("linear: 95 % of the samples stay within " + numberText(linear.rms, 3) +
                     " mm (rms over the cover), " + numberText(linear.most, 3) + " mm where it is most");
@@ -205,7 +215,6 @@ private:
         }
         if (!solved.empty()) {
             const auto out = std::ranges::count_if(solved, [&](const SweepSample& s) { return isOut(s, m_spec); });
-            const MapFigures corrected = figuresOf(correctedP95(m_linearP95, m_linear, m_spec.tolerances, resting));
             report["corrected"] = {{"samples", resting.size()}, {"p95", asJson(corrected)}};
             report["solved"] = {{"samples", solved.size()},
                                 {"without_cover", solved.size() - resting.size()},
@@ -219,6 +228,8 @@ private:
                      ? "; " + std::to_string(out) + " of " + std::to_string(solved.size()) +
                            " pieces are out of limits"
                      : std::string()));
+            printResult("linear, corrected by what these have more: within " + numberText(corrected.rms, 3) +
+                        " mm, " + numberText(corrected.most, 3) + " mm");
             if (resting.size() < solved.size())
                 printError("warning: " + std::to_string(solved.size() - resting.size()) +
                            " samples have no cover at rest");
@@ -265,7 +276,7 @@ private:
     int m_count;
     std::stop_token m_stop;
     Eigen::MatrixXf m_linear;
-    std::vector<float> m_linearP95;
+    Maps m_maps;
 };
 
 /// What every job does.
