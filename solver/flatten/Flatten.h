@@ -9,7 +9,7 @@ namespace bolster {
 
 struct FlattenOrder {
     double poisson = 0.3;   ///< of the fabric, within [-0.5, 0.5]
-    int mostRounds = 400;   ///< of each of the three passes
+    int mostRounds = 400;   ///< of each of the two passes
     double settled = 0.002; ///< mm: a round that moves no vertex farther ends a pass
 };
 

@@ -99,8 +99,11 @@ TEST(Reliefs, WhatWasTakenInIsLetOut)
     EXPECT_EQ(reliefOf(sound.design, *letOut, -5).text.english(), "Take in Front at Top by 5 mm");
     const Design tight = withMove(sound.design, *letOut, -5);
     const ReliefList list = proposeReliefs({tight, sound.files}, {.limit = 1.0, .solved = 1});
-    ASSERT_FALSE(list.reliefs.empty());
-    EXPECT_TRUE(list.reliefs.front().text.english().starts_with("Let out ")) << list.reliefs.front().text.english();
+    // A dart into the crowned top gains more still: under pressure most of that is over 1 % in any case.
+    const auto first =
+        std::ranges::find_if(list.reliefs, [](const Relief& relief) { return relief.kind != Relief::Kind::Dart; });
+    ASSERT_NE(first, list.reliefs.end());
+    EXPECT_TRUE(first->text.english().starts_with("Let out Front at ")) << first->text.english();
     const auto back = std::ranges::find_if(list.reliefs, [](const Relief& relief) {
         return relief.text.english().starts_with("Let out Front at Top by ");
     });
