@@ -105,7 +105,7 @@ Json asJson(const MapFigures& figures)
     return {{"rms_mm", figures.rms}, {"p95_mm", figures.p95}, {"max_mm", figures.most}};
 }
 
-/// What 95 % of the pieces do not exceed at each vertex, mm; nothing is solved: the last two are empty.
+/// What 95 % of the pieces do not exceed at each vertex, mm. Where nothing is solved the last one is empty.
 struct Maps {
     std::vector<float> linear, corrected, solved;
 };
@@ -182,8 +182,7 @@ public:
             if (!sample.outside.empty())
                 resting.push_back(&sample);
         m_maps.solved = solvedP95(resting);
-        if (!resting.empty())
-            m_maps.corrected = correctedP95(m_maps.linear, m_linear, m_spec.tolerances, resting);
+        m_maps.corrected = correctedP95(m_maps.linear, m_linear, m_spec.tolerances, resting);
         if (std::ssize(solved) != samples)
             return "samples are missing";
         if (m_sweep.unknown().size() == m_spec.tolerances.all.size() && resting.empty())
