@@ -18,9 +18,10 @@ constexpr double closeEnough = 1e-7; // of the distance of what is held: a start
 /// those that are held.
 class ConformalSystem {
 public:
-    ConformalSystem(std::span<const Facet> facets, const Eigen::Matrix3Xd& places, std::pair<int, int> held,
-                    const std::stop_token& stop)
+    ConformalSystem(std::span<const Facet> facets, const Eigen::Matrix3Xd& places, const std::vector<int>& order,
+                    std::pair<int, int> held, const std::stop_token& stop)
         : m_places(places)
+        , m_order(order)
         , m_held(held)
         , m_stop(stop)
         , m_number(static_cast<std::size_t>(places.cols()), -1)
@@ -35,7 +36,7 @@ public:
     {
         Eigen::MatrixX2d at = Eigen::MatrixX2d::Zero(m_places.cols(), 2);
         at.row(m_held.second) = Eigen::RowVector2d(apart(), 0);
-        PieceSystem system(m_matrix, unknownPlaces(), m_stop);
+        PieceSystem system(m_matrix, orderOfUnknowns(), m_stop);
         if (!system.factor(m_matrix, bent(), m_stop)) {
             at.setConstant(std::numeric_limits<double>::quiet_NaN());
             return at;
@@ -82,13 +83,14 @@ private:
                     lower.emplace_back(row + r, column + c, block(r, c));
     }
 
-    Eigen::Matrix3Xd unknownPlaces() const
+    std::vector<int> orderOfUnknowns() const
     {
-        Eigen::Matrix3Xd places(3, 2 * m_free);
-        for (Eigen::Index v = 0; v < m_places.cols(); ++v)
+        std::vector<int> order;
+        order.reserve(2 * m_order.size());
+        for (const int v : m_order)
             if (m_number[v] >= 0)
-                places.middleCols<2>(m_number[v]) = m_places.col(v).replicate<1, 2>();
-        return places;
+                order.insert(order.end(), {m_number[v], m_number[v] + 1});
+        return order;
     }
 
     /// The square of a complex number is a conformal map: bent like that the system hardly resists.
@@ -120,6 +122,7 @@ private:
     }
 
     const Eigen::Matrix3Xd& m_places;
+    const std::vector<int>& m_order; // of vertices
     std::pair<int, int> m_held;
     const std::stop_token& m_stop;
     std::vector<int> m_number; // of a vertex' u; v is the next
@@ -131,9 +134,9 @@ private:
 } // namespace
 
 Eigen::MatrixX2d conformalStart(std::span<const Facet> facets, const Eigen::Matrix3Xd& places,
-                                std::pair<int, int> held, const std::stop_token& stop)
+                                const std::vector<int>& order, std::pair<int, int> held, const std::stop_token& stop)
 {
-    return ConformalSystem(facets, places, held, stop).solve();
+    return ConformalSystem(facets, places, order, held, stop).solve();
 }
 
 } // namespace bolster

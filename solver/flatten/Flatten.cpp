@@ -1,6 +1,7 @@
 #include "Flatten.h"
 
 #include "ConformalStart.h"
+#include "NestedDissection.h"
 #include "PieceSystem.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ public:
         for (int v = 0; v < m_count; ++v)
             m_places.col(v) = point(v);
         addSewnEdges();
+        findOrder(stop);
         startConformally(stop);
     }
 
@@ -78,7 +80,7 @@ public:
         Sparse matrix(m_count, m_count);
         matrix.setFromTriplets(entries.begin(), entries.end());
         if (!m_system) // what is where stays from pass to pass
-            m_system.emplace(matrix, m_places, stop);
+            m_system.emplace(matrix, m_order, stop);
         if (!m_system->factor(matrix, alongIt(), stop))
             m_at.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
@@ -221,9 +223,23 @@ private:
         }
     }
 
+    /// Both systems of the piece join the same vertices: those of triangles.
+    void findOrder(const std::stop_token& stop)
+    {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (const Facet& facet : m_facets)
+            for (int k = 0; k < 3; ++k) {
+                const auto [first, second] = std::minmax(facet.corners[k], facet.corners[(k + 1) % 3]);
+                entries.emplace_back(second, first, 1);
+            }
+        Sparse joined(m_count, m_count);
+        joined.setFromTriplets(entries.begin(), entries.end());
+        m_order = nestedDissection(joined, m_places, stop);
+    }
+
     void startConformally(const std::stop_token& stop)
     {
-        m_at = conformalStart(m_facets, m_places, farApart(), stop);
+        m_at = conformalStart(m_facets, m_places, m_order, farApart(), stop);
         scaleToArea();
     }
 
@@ -282,6 +298,7 @@ private:
     double m_seamWeight = 0;
     double m_meanArea = 0;     // of facets, mm^2
     Eigen::Matrix3Xd m_places; // of the vertices on the form, mm
+    std::vector<int> m_order;  // of elimination
     std::optional<PieceSystem> m_system;
     Eigen::MatrixX2d m_at;
 };

@@ -4,8 +4,8 @@ namespace bolster {
 
 static constexpr double foundAgain = 0.02; // of the probe: so much may be off
 
-PieceSystem::PieceSystem(const Matrix& lower, const Eigen::Matrix3Xd& places, const std::stop_token& stop)
-    : m_single(lower, places, stop)
+PieceSystem::PieceSystem(const Matrix& lower, std::vector<int> order, const std::stop_token& stop)
+    : m_single(lower, std::move(order), stop)
 {}
 
 bool PieceSystem::factor(const Matrix& lower, const Eigen::MatrixXd& probe, const std::stop_token& stop)

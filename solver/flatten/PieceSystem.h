@@ -16,8 +16,8 @@ class PieceSystem {
 public:
     using Matrix = Eigen::SparseMatrix<double>;
 
-    /// `places` of the unknowns, for their order. When stopped, factor() fails.
-    PieceSystem(const Matrix& lower, const Eigen::Matrix3Xd& places, const std::stop_token& stop);
+    /// `order` of elimination (NestedDissection). When stopped, factor() fails.
+    PieceSystem(const Matrix& lower, std::vector<int> order, const std::stop_token& stop);
 
     /// Of this matrix or another one of the same pattern. `probe`: what the system is softest against, a column or
     /// two; single precision does where it is found again. False when the matrix is not positive definite, or when

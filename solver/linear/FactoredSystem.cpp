@@ -6,8 +6,12 @@ namespace bolster {
 
 FactoredSystem::FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places,
                                const std::stop_token& stop)
+    : FactoredSystem(matrix, nestedDissection(matrix, places, stop), stop)
+{}
+
+FactoredSystem::FactoredSystem(const Eigen::SparseMatrix<double>& matrix, std::vector<int> order,
+                               const std::stop_token& stop)
 {
-    std::vector<int> order = nestedDissection(matrix, places, stop);
     if (stop.stop_requested())
         return; // an order that was not found to its end would fill all of the factor
     SymbolicFactor symbolic(matrix, std::move(order));

@@ -17,6 +17,9 @@ public:
     /// other. When stopped, factor() fails.
     FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places,
                    const std::stop_token& stop = {});
+    /// In an order that is known already.
+    FactoredSystem(const Eigen::SparseMatrix<double>& matrix, std::vector<int> order,
+                   const std::stop_token& stop = {});
 
     /// The numbers of this matrix or another of the same pattern. Returns ok(): false when it was not positive
     /// definite or not finite, or when stopped; solve() must not be called then.
