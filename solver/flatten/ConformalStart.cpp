@@ -134,7 +134,8 @@ private:
 } // namespace
 
 Eigen::MatrixX2d conformalStart(std::span<const Facet> facets, const Eigen::Matrix3Xd& places,
-                                const std::vector<int>& order, std::pair<int, int> held, const std::stop_token& stop)
+                                const std::vector<int>& order, std::pair<int, int> held,
+                                const std::stop_token& stop)
 {
     return ConformalSystem(facets, places, order, held, stop).solve();
 }

@@ -25,7 +25,7 @@ constexpr double holding = 1e-9;            // of every vertex where it is, agai
 /// The rotation nearest to a plane map.
 Mat2 nearestRotation(const Mat2& map)
 {
-    const double c = map(0, 0) + map(1, 1), s = map(1, 0) - map(0, 1), length = std::hypot(c, s);
+    const double c = map(0, 0) + map(1, 1), s = map(1, 0) - map(0, 1), length = std::sqrt(c * c + s * s);
     if (!(length > 0))
         return Mat2::Identity();
     return (Mat2() << c, -s, s, c).finished() / length;

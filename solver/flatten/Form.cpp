@@ -42,16 +42,11 @@ public:
         turnAlike(m_welded, m_form.notes, m_stop);
         cutLines();
         findCuts();
-        for (int round = 0; round < mostDissolving && !m_stop.stop_requested() && m_form.problem.empty(); ++round) {
+        fallApart();
+        for (int round = 0; goesOn() && round < mostDissolving && dissolveSplinters(); ++round)
             fallApart();
-            if (!dissolveSplinters())
-                break;
-        }
-        for (int round = 0; !m_stop.stop_requested() && m_form.problem.empty(); ++round) {
+        for (int round = 0; goesOn() && cutRingsOpen(round); ++round)
             fallApart();
-            if (!m_form.problem.empty() || !cutRingsOpen(round))
-                break;
-        }
         giveNames();
         if (!m_form.refused.empty())
             m_form.undivided = m_form.pieces;
@@ -63,6 +58,7 @@ public:
     }
 
 private:
+    bool goesOn() const { return !m_stop.stop_requested() && m_form.problem.empty(); }
     std::size_t count() const { return m_welded.triangles.size(); }
     int corner(int triangle, int side) const { return m_welded.triangles[triangle][side % 3]; }
     Vec3 normal(int triangle) const
@@ -123,6 +119,8 @@ private:
     /// Vertices are corners of triangles that hang together around a point; pieces are triangles that do.
     void fallApart()
     {
+        if (!goesOn())
+            return;
         UnionFind corners(static_cast<int>(3 * count())), sheets(static_cast<int>(count()));
         const auto cornerAt = [&](const HalfEdge& half, int point) {
             const int side = corner(half.triangle, half.side) == point ? half.side : (half.side + 1) % 3;
@@ -143,29 +141,27 @@ private:
     {
         m_form.pieces.clear();
         m_pieceOf.assign(count(), -1);
+        m_sideOf.resize(count());
         m_parts.clear();
-        std::map<int, int> pieces;
-        std::vector<std::map<int, int>> vertices;
+        std::vector<int> pieces(count(), -1), vertices(3 * count(), -1); // of the roots
         for (std::size_t t = 0; t < count(); ++t) {
-            const auto [piece, isNew] =
-                pieces.emplace(sheets.root(static_cast<int>(t)), static_cast<int>(pieces.size()));
-            if (isNew) {
+            int& piece = pieces[sheets.root(static_cast<int>(t))];
+            if (piece < 0) {
+                piece = static_cast<int>(m_form.pieces.size());
                 m_form.pieces.emplace_back();
                 m_parts.push_back(m_welded.part[t]);
-                vertices.emplace_back();
             }
-            m_pieceOf[t] = piece->second;
-            FormPiece& there = m_form.pieces[piece->second];
-            auto& numbers = vertices[piece->second];
+            m_pieceOf[t] = piece;
+            FormPiece& there = m_form.pieces[piece];
             Corners named{};
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto [vertex, first] = numbers.emplace(corners.root(static_cast<int>(3 * t + k)),
-                                                             static_cast<int>(there.points.size()));
-                if (first)
+                int& vertex = vertices[corners.root(static_cast<int>(3 * t + k))];
+                if (vertex < 0) {
+                    vertex = static_cast<int>(there.points.size());
                     there.points.push_back(m_welded.triangles[t][k]);
-                named[k] = vertex->second;
+                }
+                named[k] = vertex;
             }
-            m_sideOf.resize(count());
             m_sideOf[t] = static_cast<int>(there.triangles.size());
             there.triangles.push_back(named);
         }

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace bolster {
 
@@ -35,6 +34,14 @@ Edge edgeOf(int a, int b)
     return {std::min(a, b), std::max(a, b)};
 }
 
+std::vector<bool> isOneOf(const std::vector<int>& triangles, std::size_t count)
+{
+    std::vector<bool> is(count, false);
+    for (const int t : triangles)
+        is[static_cast<std::size_t>(t)] = true;
+    return is;
+}
+
 } // namespace
 
 bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const std::stop_token& stop)
@@ -44,6 +51,8 @@ bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const s
         for (std::size_t t = 0; t < soup.triangles.size(); ++t)
             chosen.push_back(static_cast<int>(t));
     m_triangles = std::move(chosen);
+    const auto faces = static_cast<CgalMesh::size_type>(m_triangles.size());
+    mesh.reserve(faces / 2 + faces / 8, faces + faces / 2 + faces / 8, faces); // what an open sheet has, and some
     part = mesh.add_property_map<Face, int>("f:part", 0).first;
     std::vector<int> vertexOf(soup.points.size(), -1);
     for (const int t : m_triangles) {
@@ -65,11 +74,10 @@ bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const s
     }
     m_shared.assign(m_point.size(), false);
     if (m_triangles.size() < soup.triangles.size()) {
-        const std::set<int> mine(m_triangles.begin(), m_triangles.end());
+        const std::vector<bool> mine = isOneOf(m_triangles, soup.triangles.size());
         for (std::size_t t = 0; t < soup.triangles.size(); ++t)
             for (const int p : soup.triangles[t])
-                if (const int v = vertexOf[static_cast<std::size_t>(p)];
-                    v >= 0 && !mine.contains(static_cast<int>(t)))
+                if (const int v = vertexOf[static_cast<std::size_t>(p)]; v >= 0 && !mine[t])
                     m_shared[static_cast<std::size_t>(v)] = true;
     }
     cut = mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
@@ -81,7 +89,7 @@ bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const s
 
 void LinedMesh::putBack(TriangleSoup& soup) const
 {
-    std::set<int> gone(m_triangles.begin(), m_triangles.end());
+    const std::vector<bool> gone = isOneOf(m_triangles, soup.triangles.size());
     for (const int t : m_triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const auto& corners = soup.triangles[static_cast<std::size_t>(t)];
@@ -89,7 +97,7 @@ void LinedMesh::putBack(TriangleSoup& soup) const
         }
     std::size_t kept = 0;
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-        if (!gone.contains(static_cast<int>(t))) {
+        if (!gone[t]) {
             soup.triangles[kept] = soup.triangles[t];
             soup.part[kept++] = soup.part[t];
         }
