@@ -10624,6 +10624,10 @@
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren, auf allen Dreiecken neu gemessen:</translation>
     </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>Nahtseiten, die um bis zu %1 von ihrer Mehrweite abwichen, kommen ihr näher: %2.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

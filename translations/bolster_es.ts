@@ -10624,6 +10624,10 @@
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>Detenido. Con todos los cambios encontrados hasta entonces, medidos de nuevo en todos los triángulos:</translation>
     </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>Los lados de costuras que se apartaban hasta %1 de su embebido se le acercan: %2.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -9571,8 +9571,8 @@
     <message numerus="yes">
         <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
         <translation>
-            <numerusform>%n pièce est, sur plus d’un centième de sa surface, plus déformée que le tissu ne l’admet (jaune) : divisez-la, ou entaillez-la là.</numerusform>
-            <numerusform>%n pièces sont, sur plus d’un centième de leur surface, plus déformées que le tissu ne l’admet (jaune) : divisez-les, ou entaillez-les là.</numerusform>
+            <numerusform>%n pièce est, sur plus d’un centième de sa surface, plus déformée que le tissu ne l’admet (jaune)&#x202f;: divisez-la, ou entaillez-la là.</numerusform>
+            <numerusform>%n pièces sont, sur plus d’un centième de leur surface, plus déformées que le tissu ne l’admet (jaune)&#x202f;: divisez-les, ou entaillez-les là.</numerusform>
         </translation>
     </message>
     <message>
@@ -10623,6 +10623,10 @@
     <message>
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>Arrêté. Avec toutes les modifications trouvées jusque-là, mesurées à nouveau sur tous les triangles&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>Des côtés de coutures qui s’écartaient de jusqu’à %1 de leur embu s’en rapprochent&#x202f;: %2.</translation>
     </message>
 </context>
 <context>

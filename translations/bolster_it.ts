@@ -10624,6 +10624,10 @@
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>Fermato. Con tutte le modifiche trovate fino a quel momento, misurate di nuovo su tutti i triangoli:</translation>
     </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>I lati di cuciture che si scostavano fino a %1 dal loro agio gli si avvicinano: %2.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10595,6 +10595,10 @@
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>停止しました。それまでに見つかった変更をすべて適用し、すべての三角形で測り直した場合:</translation>
     </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>いせから最大 %1 外れていた縫い目の両側が、いせに近づきます: %2。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

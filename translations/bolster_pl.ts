@@ -10653,6 +10653,10 @@
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili, zmierzonymi na nowo na wszystkich trójkątach:</translation>
     </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>Boki szwów, które odbiegały od swojego wdania o nawet %1, zbliżają się do niego: %2.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10595,6 +10595,10 @@
         <source>Stopped. With all of the changes that were found until then, measured anew on all triangles:</source>
         <translation>已停止。采用到此为止找到的全部更改，并在所有三角形上重新测量：</translation>
     </message>
+    <message>
+        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
+        <translation>原先与吃势相差最多 %1 的缝线两侧更接近其吃势：%2。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

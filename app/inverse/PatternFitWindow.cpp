@@ -281,6 +281,9 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
             << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "
                   "ease change.")
                    .arg(lengthText(now->sewnMost));
+    if (now && mendsLengths(m_wanted.order.locks, before, *now))
+        lines << tr("Sides of seams that were up to %1 off their ease come nearer to it: %2.")
+                     .arg(lengthText(before.sewnMost), lengthText(now->sewnMost));
     if (result.jumped)
         lines << tr("On the way a fold came or went: look at the cover before you take it.");
     if (!result.idle.empty())

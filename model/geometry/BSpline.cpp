@@ -146,8 +146,14 @@ std::array<typename BSpline<Dim>::Point, 4> BSpline<Dim>::localPoints(int span) 
 template <int Dim>
 typename BSpline<Dim>::Point BSpline<Dim>::blossom(int span, const double* arguments) const
 {
+    return blossom(span, arguments, localPoints(span));
+}
+
+template <int Dim>
+template <class Value>
+Value BSpline<Dim>::blossom(int span, const double* arguments, std::array<Value, 4> p) const
+{
     const int d = m_degree;
-    std::array<Point, 4> p = localPoints(span);
     std::array<double, 6> u{}; // u[i] is knot span - d + 1 + i
     for (int i = 0; i < 2 * d; ++i)
         u[static_cast<std::size_t>(i)] = knot(span - d + 1 + i);
@@ -169,6 +175,23 @@ typename BSpline<Dim>::Point BSpline<Dim>::at(double t) const
     const double inside = wrapped(t);
     const std::array<double, 3> arguments = {inside, inside, inside};
     return blossom(spanAt(inside), arguments.data());
+}
+
+template <int Dim>
+std::vector<typename BSpline<Dim>::Influence> BSpline<Dim>::influencesAt(double t) const
+{
+    using Shares = Eigen::Vector4d;
+    const double inside = wrapped(t);
+    const int span = spanAt(inside);
+    std::array<Shares, 4> units;
+    for (int j = 0; j < 4; ++j)
+        units[static_cast<std::size_t>(j)] = Shares::Unit(j);
+    const std::array<double, 3> arguments = {inside, inside, inside};
+    const Shares shares = blossom(span, arguments.data(), units);
+    std::vector<Influence> influences;
+    for (int j = 0; j <= m_degree; ++j)
+        influences.push_back({pointIndex(span - m_degree + j), shares[j]});
+    return influences;
 }
 
 template <int Dim>

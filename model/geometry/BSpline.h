@@ -68,6 +68,14 @@ public:
     double wrapped(double t) const;
 
     Point at(double t) const;
+    /// A control point and its share of a place.
+    struct Influence {
+        int point = 0;
+        double share = 0;
+    };
+    /// The control points that at(t) is a mean of; the shares are not negative and their sum is 1. A point may be
+    /// listed twice on a closed curve of few points.
+    std::vector<Influence> influencesAt(double t) const;
     /// Derivative of the given order (1 or more) with respect to the parameter; at a knot from the right.
     Point derivative(double t, int order = 1) const;
     /// Distinct knots in the domain, ends included: between two of them the curve is one polynomial.
@@ -124,6 +132,8 @@ private:
     int multiplicity(double knotValue) const;
     std::array<Point, 4> localPoints(int span) const;
     Point blossom(int span, const double* arguments) const;
+    template <class Value>
+    Value blossom(int span, const double* arguments, std::array<Value, 4> values) const;
 
     // Basis j has the support u_j..u_(j+d+1) of the knots u, which knot() continues periodically on a closed curve;
     // it belongs to point j + shift().

@@ -1,6 +1,6 @@
 #include "CurveFit.h"
 
-#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,51 @@ namespace bolster {
 namespace {
 
 constexpr int degree = 3;
-constexpr double exactWeight = 1e4; // of rows that must be met
-constexpr int fewestPerSpan = 2;    // samples inside half a span, or it is not halved
+constexpr double straight = 1e-5; // weight of a straight control polygon: it decides where samples do not
+constexpr int fewestPerSpan = 2;  // samples inside half a span, or it is not halved
+
+/// Sums of squares: the normal equations of control points, some of which are where they have to be.
+class Normals {
+public:
+    explicit Normals(int count)
+        : m_right(Eigen::MatrixX3d::Zero(count, 3))
+    {}
+
+    void add(const std::vector<BSpline3::Influence>& influences, const Vec3& place)
+    {
+        for (const auto& [a, shareOfA] : influences) {
+            m_right.row(a) += shareOfA * place.transpose();
+            for (const auto& [b, shareOfB] : influences)
+                m_entries.emplace_back(a, b, shareOfA * shareOfB);
+        }
+    }
+
+    void solve(const std::vector<bool>& met, std::vector<Vec3>& points)
+    {
+        const auto isMet = [&](Eigen::Index k) { return met[static_cast<std::size_t>(k)]; };
+        for (const Eigen::Triplet<double>& entry : m_entries)
+            if (!isMet(entry.row()) && isMet(entry.col()))
+                m_right.row(entry.row()) -=
+                    entry.value() * points[static_cast<std::size_t>(entry.col())].transpose();
+        std::erase_if(m_entries, [&](const auto& entry) { return isMet(entry.row()) || isMet(entry.col()); });
+        for (int k = 0; k < m_right.rows(); ++k)
+            if (isMet(k)) {
+                m_entries.emplace_back(k, k, 1);
+                m_right.row(k) = points[static_cast<std::size_t>(k)].transpose();
+            }
+        Eigen::SparseMatrix<double> matrix(m_right.rows(), m_right.rows());
+        matrix.setFromTriplets(m_entries.begin(), m_entries.end());
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
+        const Eigen::MatrixX3d solution = factors.solve(m_right);
+        for (Eigen::Index k = 0; k < solution.rows(); ++k)
+            if (!isMet(k))
+                points[static_cast<std::size_t>(k)] = solution.row(k).transpose();
+    }
+
+private:
+    std::vector<Eigen::Triplet<double>> m_entries;
+    Eigen::MatrixX3d m_right;
+};
 
 class Fitter {
 public:
@@ -59,37 +102,34 @@ private:
     BSpline3 leastSquares() const
     {
         const std::vector<double> knotsNow = knots();
-        const bool closed = m_samples.closed;
-        const auto count = static_cast<Eigen::Index>(knotsNow.size()) - (closed ? 1 : degree + 1);
-        const auto rows = static_cast<Eigen::Index>(m_samples.points.size());
-        Eigen::MatrixXd basis(rows, count);
-        Eigen::MatrixX3d places(rows, 3);
-        for (Eigen::Index i = 0; i < rows; ++i)
-            places.row(i) = m_samples.points[static_cast<std::size_t>(i)].transpose();
-        // The basis functions as curves: all points 0 but one.
-        for (Eigen::Index j = 0; j < count; ++j) {
-            std::vector<Vec2> unit(static_cast<std::size_t>(count), Vec2::Zero());
-            unit[static_cast<std::size_t>(j)].x() = 1;
-            const BSpline2 function(degree, closed, std::move(unit), knotsNow);
-            for (Eigen::Index i = 0; i < rows; ++i)
-                basis(i, j) = function.at(m_samples.parameters[static_cast<std::size_t>(i)]).x();
-        }
-        for (Eigen::Index i = 0; i < rows; ++i)
+        const auto count = static_cast<int>(knotsNow.size()) - (m_samples.closed ? 1 : degree + 1);
+        BSpline3 curve(degree, m_samples.closed, std::vector<Vec3>(static_cast<std::size_t>(count), Vec3::Zero()),
+                       knotsNow);
+        std::vector<Vec3> points = curve.points();
+        std::vector<bool> met(points.size(), false); // a control point is where the curve passes it
+        Normals normals(count);
+        for (std::size_t i = 0; i < m_samples.points.size(); ++i) {
+            const std::vector<BSpline3::Influence> influences = curve.influencesAt(m_samples.parameters[i]);
             if (isExact(i)) {
-                basis.row(i) *= exactWeight;
-                places.row(i) *= exactWeight;
+                const int here = std::ranges::max_element(influences, {}, &BSpline3::Influence::share)->point;
+                met[static_cast<std::size_t>(here)] = true;
+                points[static_cast<std::size_t>(here)] = m_samples.points[i];
+            } else {
+                normals.add(influences, m_samples.points[i]);
             }
-        const Eigen::MatrixX3d solution = basis.colPivHouseholderQr().solve(places);
-        std::vector<Vec3> points;
-        for (Eigen::Index j = 0; j < count; ++j)
-            points.emplace_back(solution.row(j).transpose());
-        return {degree, closed, std::move(points), knotsNow};
+        }
+        for (int k = 0; k < count; ++k)
+            if (m_samples.closed || (k > 0 && k + 1 < count))
+                normals.add({{(k + count - 1) % count, -straight}, {k, 2 * straight}, {(k + 1) % count, -straight}},
+                            Vec3::Zero());
+        normals.solve(met, points);
+        return curve.withPoints(std::move(points));
     }
 
-    bool isExact(Eigen::Index sample) const
+    bool isExact(std::size_t sample) const
     {
-        const bool end = sample == 0 || sample + 1 == static_cast<Eigen::Index>(m_samples.points.size());
-        return (end && !m_samples.closed) || isCorner(m_samples.parameters[static_cast<std::size_t>(sample)]);
+        const bool end = sample == 0 || sample + 1 == m_samples.points.size();
+        return (end && !m_samples.closed) || isCorner(m_samples.parameters[sample]);
     }
 
     /// Halves the spans in which the curve is too far away. False when none is, or none can be halved.

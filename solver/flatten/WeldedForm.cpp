@@ -181,23 +181,55 @@ void takeOnce(WeldedForm& form, const std::stop_token& stop)
     form.part.resize(kept);
 }
 
+/// Points at one place are one point.
+class PointNumbers {
+public:
+    /// The number of the point that is there already, or the next one; and whether it is new.
+    std::pair<int, bool> numberOf(const Vec3& point)
+    {
+        const Vec3 beside = Vec3::Constant(cellSize * bySide);
+        const Cell low = cellOf(point - beside), high = cellOf(point + beside);
+        for (const long long x : {low[0], high[0]})
+            for (const long long y : {low[1], high[1]})
+                for (const long long z : {low[2], high[2]})
+                    if (const auto found = m_numbers.find({x, y, z}); found != m_numbers.end())
+                        return {found->second, false};
+        const int number = static_cast<int>(m_numbers.size());
+        m_numbers.emplace(cellOf(point), number);
+        return {number, true};
+    }
+
+private:
+    using Cell = std::array<long long, 3>;
+
+    static Cell cellOf(const Vec3& point)
+    {
+        Cell cell{};
+        for (int axis = 0; axis < 3; ++axis)
+            cell[axis] = std::llround(point[axis] / cellSize);
+        return cell;
+    }
+
+    static constexpr double cellSize = 1e-4; // mm: texts have rounded them alike
+    static constexpr double bySide = 0.15;   // cells: a point may belong to another one that is as near as that
+
+    std::map<Cell, int> m_numbers; // a cell has one point at most
+};
+
 } // namespace
 
 WeldedForm weld(const TriangleMesh& mesh, const std::stop_token& stop)
 {
     WeldedForm welded;
-    std::map<std::array<long long, 3>, int> places; // in 0.1 micrometres: texts have rounded them alike
+    PointNumbers numbers;
     std::vector<int> place(mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         if (stop.stop_requested())
             return {};
-        std::array<long long, 3> key{};
-        for (int axis = 0; axis < 3; ++axis)
-            key[axis] = std::llround(mesh.points[i][axis] * 1e4);
-        const auto [found, isNew] = places.emplace(key, static_cast<int>(welded.points.size()));
+        const auto [number, isNew] = numbers.numberOf(mesh.points[i]);
         if (isNew)
             welded.points.push_back(mesh.points[i]);
-        place[i] = found->second;
+        place[i] = number;
     }
     const std::vector<int> part = partOfTriangles(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -14,15 +14,16 @@ namespace bolster {
 
 namespace {
 
-constexpr double mmOfStrain = 100;  // 1 % over the limit counts like 1 mm
-constexpr double forgiven = 0.003;  // more of that than before, root of the mean over the cover, 1
-constexpr double shyOfStrain = 1;   // weight of what the fabrics do not allow, where strain is no goal
-constexpr double belowLimit = 0.85; // of it: what is just below it would be over it with the next change
+constexpr double mmOfStrain = 100; // 1 % over the limit counts like 1 mm
+constexpr double forgiven = 0.003; // more of that than before, root of the mean over the cover, 1
+constexpr double shyOfStrain = 1;  // weight of what the fabrics do not allow, where strain is no goal
+constexpr double belowLimit = 0.7; // of it: squares hardly see what is just over it, and that is most of it
 constexpr double meantEase =
     0.005;                       // of the length: sides that differ by more from their ease shall come nearer to it
 constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
 constexpr double wantedLength = 0.3;
 constexpr double freeLength = 0.02;
+constexpr double unseen = 0.3; // mm between a seam's sides: nobody notices it at the machine
 constexpr double straightWeight = 2;
 constexpr double cornerWeight = 50;  // mm: of a radian
 constexpr double farthest = 60;      // mm: what is farther from the target does not belong to it
@@ -140,8 +141,12 @@ double seamDifference(const Design& design, const Seam& seam)
 
 bool missesLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after)
 {
-    constexpr double unseen = 0.3; // mm: what nobody notices at the machine
     return locks.lengths && locks.ease && after.sewnMost > before.sewnMost + unseen;
+}
+
+bool mendsLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after)
+{
+    return locks.lengths && locks.ease && before.sewnMost > after.sewnMost + unseen;
 }
 
 bool strainsForLittle(const FitFigures& before, const FitFigures& after)

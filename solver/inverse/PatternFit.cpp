@@ -36,8 +36,8 @@ constexpr int iterationsBeside = 40;   // of covers that derivatives are taken f
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
-constexpr int mostVerifications = 5;
-constexpr int mostImprovements = 2;  // of them
+constexpr int mostVerifications = 10;
+constexpr int mostImprovements = 2;  // on the way
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
 constexpr double nearly = 1.03;      // times the cost: as good
@@ -282,12 +282,14 @@ private:
     }
 
     /// What counts is the cover of the changed pattern as it comes to rest by itself: that it was found on the way
-    /// may have led to other folds. Then it goes on from there, or not as far.
+    /// may have led to other folds. Then it goes on from there; and when that leads nowhere not as far, half the
+    /// way to what is good or to the pattern as it was.
     bool verify(double edge)
     {
         Eigen::VectorXd best = Eigen::VectorXd::Zero(m_result.values.size());
-        double least = std::numeric_limits<double>::infinity(), reached = m_reached;
+        double least = leastWorth * untouchedCost(edge), reached = m_reached;
         int improvements = 0;
+        m_result.after = m_result.before;
         for (int round = 0; round < mostVerifications; ++round) {
             const auto cover = coverOf(m_result.design, edge, WarmOrder().tolerance);
             if (!cover || m_stop.stop_requested())
@@ -295,7 +297,11 @@ private:
             reached = std::min(reached, m_reached);
             const double cost = costOn(*cover, m_result.values, m_result.design);
             if (!(cost < least)) {
-                take(0.5 * (best + m_result.values));
+                m_fewAreLike = false;
+                if (round > 0)
+                    take(0.5 * (best + m_result.values));
+                else if (!improve(edge))
+                    break;
                 continue;
             }
             least = cost;
@@ -312,9 +318,7 @@ private:
                 break;
         }
         m_result.jumped = least >= sprang * reached;
-        if (!(least < leastWorth * untouchedCost(edge)) ||
-            !isAsWanted(m_order.goals, m_result.before,
-                        m_result.after)) { // it has led to other folds, or to nothing at all
+        if (!isAsWanted(m_order.goals, m_result.before, m_result.after)) {
             best.setZero();
             m_result.after = m_result.before;
         }

@@ -43,6 +43,24 @@ void forRandomCurves(unsigned seed, Test test)
     }
 }
 
+TEST(BSpline, PlacesAreMeansOfTheirPoints)
+{
+    forRandomCurves(77, [](const auto& curve, Random&) {
+        overDomain(curve, [&](double t) {
+            auto mean = curve.at(t);
+            mean.setZero();
+            double all = 0;
+            for (const auto& [point, share] : curve.influencesAt(t)) {
+                EXPECT_GE(share, 0);
+                all += share;
+                mean += share * curve.points()[static_cast<std::size_t>(point)];
+            }
+            EXPECT_NEAR(all, 1, 1e-12);
+            EXPECT_LT((mean - curve.at(t)).norm(), 1e-9);
+        });
+    });
+}
+
 TEST(BSpline, PolygonPassesItsPointsAtWholeParameters)
 {
     const BSpline2 polygon(1, true, square);

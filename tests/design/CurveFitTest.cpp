@@ -55,6 +55,25 @@ TEST(CurveFit, TakesAsManyPointsAsTheToleranceAsksFor)
     }
 }
 
+TEST(CurveFit, ThousandsOfFoldsAreFittedAtOnce) // minutes with a full matrix
+{
+    const int folds = 2000, perFold = 10;
+    CurveSamples samples;
+    samples.end = folds;
+    samples.closed = true;
+    for (int k = 0; k < folds * perFold; ++k) {
+        const double t = static_cast<double>(k) / perFold, turn = 2 * pi * t / folds;
+        const double radius = 3000 + 20 * std::abs(t - std::floor(t) - 0.5);
+        samples.parameters.push_back(t);
+        samples.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0);
+        if (k % perFold == 0)
+            samples.corners.push_back(t);
+    }
+    const BSpline3 curve = fitCurve(samples, 1);
+    EXPECT_EQ(curve.corners().size(), samples.corners.size());
+    EXPECT_LE(largestError(curve, samples), 1);
+}
+
 TEST(CurveFit, ClosedCurvesStayClosedAndSmooth)
 {
     const CurveSamples samples = sampled(

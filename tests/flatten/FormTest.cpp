@@ -60,6 +60,18 @@ TEST(Form, FallsApartWhereGroupsMeet)
     expectMatesAgree(form);
 }
 
+TEST(Form, PointsThatNearlyCoincideAreOne)
+{
+    constexpr double edgeOfACell = 0.00005, apart = 0.00001; // mm
+    TriangleMesh mesh = tray(200, 60);
+    for (std::size_t k = 0; k < mesh.points.size(); ++k)
+        mesh.points[k] += Vec3::Constant(edgeOfACell + (k % 2 == 0 ? apart / 2 : -apart / 2));
+    const Form form = cutForm(mesh, {});
+    ASSERT_EQ(form.pieces.size(), 5u);
+    EXPECT_EQ(sewnEdges(form.pieces[0]), 16);
+    expectMatesAgree(form);
+}
+
 TEST(Form, FallsApartWhereItBends)
 {
     TriangleMesh mesh = tray(200, 60);

@@ -372,6 +372,10 @@ void printOutcome(const FitOrder& order, const FitResult& result)
                    numberText(result.after.sewnMost, 2) +
                    " mm more than is wanted. Let more change, or the ease, "
                    "too (--freedom outlines,ease)");
+    if (mendsLengths(order.locks, result.before, result.after))
+        printError("note: sides of seams that were up to " + numberText(result.before.sewnMost, 2) +
+                   " mm off their ease come nearer to it: " + numberText(result.after.sewnMost, 2) +
+                   " mm. To keep a difference, make it the seam's ease first");
     if (!result.idle.empty())
         printError("warning: " + std::to_string(result.idle.size()) + " of " +
                    std::to_string(order.freedoms.size()) +
