@@ -110,8 +110,8 @@ struct FitFigures {
 
 /// Whether sides of seams, whose lengths were to stay, differ by more than a change may make of them.
 bool missesLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after);
-/// Whether sides of seams that differed by far more than their ease come nearer to it: what differs by mistake is put
-/// right on the way, which has to be said.
+/// Whether sides of seams that differed by far more than their ease come nearer to it: what differs by mistake is
+/// put right on the way, which has to be said.
 bool mendsLengths(const FitLocks& locks, const FitFigures& before, const FitFigures& after);
 /// Whether a cover that should come nearer to a target hardly does, and much more of it is strained over its
 /// limits.
