@@ -289,7 +289,7 @@ void SweepWindow::say(const QString& lead)
     const double rms = std::sqrt(squares / static_cast<double>(m_found->p95.size()));
     QStringList lines(lead.isEmpty() ? 0 : 1, lead);
     lines << QStringList{
-        tr("95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.")
+        tr("95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.")
             .arg(lengthText(rms, 2), lengthText(static_cast<double>(most), 2)),
         tr("Out of the limit: %1 of the pieces.").arg(percentText(std::round(1000 * m_found->outShare()) / 1000))};
     if (m_found->resting == 0)

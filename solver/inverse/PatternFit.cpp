@@ -78,9 +78,13 @@ std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<c
     return entries;
 }
 
-/// Sides of seams that come nearer to each other are no help when the cover has gone farther from the form.
+/// What is reckoned with holds more than what is asked for: sides of seams that come nearer to each other are no help
+/// when the cover has gone farther from the form, nor is strain below the limit when more is over it.
 bool isAsWanted(const FitGoals& goals, const FitFigures& before, const FitFigures& after)
 {
+    if (goals.isLimitAlone())
+        return after.overLimit < before.overLimit ||
+               (after.overLimit == before.overLimit && after.strainRms < before.strainRms);
     return !goals.isFormAlone() || after.distanceRms < before.distanceRms;
 }
 

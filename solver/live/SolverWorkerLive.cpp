@@ -25,6 +25,7 @@ void SolverWorker::beginLive(Request request)
     if (!m_live && m_resting) { // a design that is still being opened
         m_live = std::move(m_resting);
         m_liveInput = m_restingInput;
+        m_atRest = false; // what was at rest was a design without anything to solve
     }
     if (m_resting && planSolve(m_restingInput, request.input) != SolvePlan::Nothing)
         m_resting.reset();

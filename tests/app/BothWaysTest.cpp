@@ -780,7 +780,7 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
                                    [&](const QLabel* label) { return label->text().contains(words); });
     };
     EXPECT_TRUE(says("Stopped."));
-    EXPECT_TRUE(says("95 % of the pieces stay within")) << "what was solved until then counts";
+    EXPECT_TRUE(says("95 % of the pieces do not exceed")) << "what was solved until then counts";
     EXPECT_TRUE(says("solved pieces."));
     EXPECT_TRUE(window.maps().hasGuest());
     dialog->close();

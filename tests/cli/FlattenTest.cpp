@@ -122,6 +122,15 @@ TEST_F(FlattenTest, WhatIsClosedDividesItselfWhenAsked)
     EXPECT_EQ(small.exitCode, 2);
     EXPECT_NE(small.err.find("a shorter --edge"), std::string::npos) << small.err;
 
+    // In metres it would have to be divided into pieces far below any edge.
+    write("metres.obj",
+          "g Box\nv 0 0 0\nv .4 0 0\nv .4 .3 0\nv 0 .3 0\nv 0 0 .12\nv .4 0 .12\n"
+          "v .4 .3 .12\nv 0 .3 .12\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const ProgramRun metres = flatten(path("metres.obj"), {"--divide"});
+    EXPECT_EQ(metres.exitCode, 2);
+    EXPECT_NE(metres.err.find("--unit first"), std::string::npos) << metres.err;
+    EXPECT_EQ(metres.err.find("a shorter --edge"), std::string::npos) << metres.err;
+
     const ProgramRun run = flatten(path("box.obj"), {"--divide", "--report", path("report.json")});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_LE(count("patch"), 6u);

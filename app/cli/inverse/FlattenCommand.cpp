@@ -176,7 +176,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     const Vec3 size = mesh.boundingBox().sizes();
     printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
                 numberText(size.z(), 3) + " mm large");
-    if (size.maxCoeff() < smallestForm && !arguments.has("--unit"))
+    const bool inOtherUnit = size.maxCoeff() < smallestForm;
+    if (inOtherUnit)
         printError(
             "warning: that is small for a cover; --unit says what the numbers in the file are, such as --unit m");
     ReadForm read;
@@ -199,7 +200,9 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
         return read;
     read.failure = badInput;
     printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
-    if (!read.form.refused.empty() && arguments.has("--divide"))
+    if (inOtherUnit)
+        printError("(--unit first: the mesh edges are far longer than this form)");
+    else if (!read.form.refused.empty() && arguments.has("--divide"))
         printError("(pieces less than five edges across are not divided: a shorter --edge lets them be)");
     else if (!read.form.refused.empty())
         printError(

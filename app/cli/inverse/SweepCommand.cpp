@@ -192,6 +192,8 @@ public:
               std::pair("samples.csv", csvOf(solved)), std::pair("p95.ply", plyOf(*m_sweep.nominal(), m_maps))})
             if (const Message problem = replaceOwnFile(folder.file(name), text); !problem.empty())
                 return problem.english();
+        if (!solved.empty() && resting.empty())
+            return "not one of the samples has a cover at rest: make the tolerances smaller";
         return {};
     }
 
@@ -201,8 +203,9 @@ private:
         const MapFigures linear = figuresOf(m_maps.linear), found = figuresOf(m_maps.solved),
                          corrected = figuresOf(m_maps.corrected);
         Json report{{"linear", {{"samples", m_count}, {"p95", asJson(linear)}}}};
-        printResult("linear: 95 % of the samples stay within " + numberText(linear.rms, 3) +
-                    " mm (rms over the cover), " + numberText(linear.most, 3) + " mm where it is most");
+        printResult("what 95 % of the samples do not exceed, place by place, as if covers were linear: " +
+                    numberText(linear.rms, 3) + " mm (rms over the cover), " + numberText(linear.most, 3) +
+                    " mm where it is most");
         Json unknown = Json::array();
         for (const std::size_t k : m_sweep.unknown())
             unknown.push_back(m_spec.tolerances.all[k].name);
@@ -214,24 +217,27 @@ private:
         }
         if (!solved.empty()) {
             const auto out = std::ranges::count_if(solved, [&](const SweepSample& s) { return isOut(s, m_spec); });
-            report["corrected"] = {{"samples", resting.size()}, {"p95", asJson(corrected)}};
+            const auto known = [&](const MapFigures& figures) { return resting.empty() ? Json() : asJson(figures); };
+            report["corrected"] = {{"samples", resting.size()}, {"p95", known(corrected)}};
             report["solved"] = {{"samples", solved.size()},
                                 {"without_cover", solved.size() - resting.size()},
                                 {"out_of_limits", out},
-                                {"p95", asJson(found)}};
+                                {"p95", known(found)}};
             constexpr std::size_t few = 20; // the worst one is what 95 % do not exceed
+            if (resting.size() < solved.size())
+                printError("warning: " + std::to_string(solved.size() - resting.size()) +
+                           " samples have no cover at rest");
+            if (resting.empty())
+                return report;
             printResult(
                 (solved.size() < few ? "solved, the worst of " + counted(std::ssize(solved), "piece") : "solved") +
-                ": within " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) + " mm" +
+                ": " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) + " mm" +
                 (m_spec.limitDistance || m_spec.limitStrain
                      ? "; " + std::to_string(out) + " of " + std::to_string(solved.size()) +
                            " pieces are out of limits"
                      : std::string()));
-            printResult("linear, corrected by what these have more: within " + numberText(corrected.rms, 3) +
-                        " mm, " + numberText(corrected.most, 3) + " mm");
-            if (resting.size() < solved.size())
-                printError("warning: " + std::to_string(solved.size() - resting.size()) +
-                           " samples have no cover at rest");
+            printResult("linear, corrected by what these have more: " + numberText(corrected.rms, 3) + " mm, " +
+                        numberText(corrected.most, 3) + " mm");
         }
         report["influence"] = influence();
         return report;

@@ -284,6 +284,31 @@ TEST(SolverThread, AnEmptyDesignClearsTheSurface)
     EXPECT_TRUE(output->surface->positions.empty());
 }
 
+/// Where nothing was to solve a first design is being solved, and meanwhile a patch is moved in the layout.
+TEST(SolverThread, AFirstDesignIsSolvedThoughItsLayoutChangesMeanwhile)
+{
+    const Design design = box(300, 100, 5, 10, 0.3); // takes long
+    const Design moved =
+        changed<Patch>(design, firstOf<Patch>(design), [](Patch& p) { p.position = Vec2(50, 50); });
+    for (const bool undone : {false, true}) {
+        Listener solver;
+        solver.request(Design(), 1);
+        ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Idle; }));
+        solver.request(design, 2);
+        ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Moving; }));
+        solver.request(moved, 3, true);
+        const auto during = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 3; });
+        ASSERT_TRUE(during);
+        EXPECT_NE(during->status.state, State::Idle);
+        solver.request(undone ? design : moved, 4);
+        const auto after =
+            solver.waitFor([](const SolverOutput& o) { return o.designRevision == 4 && o.status.resting; });
+        ASSERT_TRUE(after);
+        EXPECT_EQ(after->status.state, State::Settled);
+        EXPECT_EQ(after->surface->positions, solved(design, 1e-6).surface->positions);
+    }
+}
+
 /// The trapezoid whose cloth lies in folds, with triangles large enough for a test.
 Design coarseFolds()
 {
