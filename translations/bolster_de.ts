@@ -5993,6 +5993,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>Kein Eckpunkt des Bereichs ist nahe bei der Form: Machen Sie den Bereich größer als die Netzkanten, oder bringen Sie die Form dorthin, wo der Bezug ist.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>%1 ist weggelassen: Es ist zu schmal zum Nähen. Verbinden Sie es mit dem, was daneben liegt</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10625,8 +10629,8 @@
         <translation>Angehalten. Mit allen Änderungen, die bis dahin gefunden waren, auf allen Dreiecken neu gemessen:</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>Nahtseiten, die um bis zu %1 von ihrer Mehrweite abwichen, kommen ihr näher: %2.</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>Nahtseiten neben ihrer Mehrweite: bis zu %1 vorher, %2 jetzt</translation>
     </message>
 </context>
 <context>
@@ -12140,10 +12144,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>95 % der Stücke bleiben innerhalb von %1 (quadratisches Mittel über den Bezug), %2 an der stärksten Stelle.</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>Außerhalb der Grenze: %1 der Stücke.</translation>
     </message>
@@ -12194,6 +12194,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>Ein Stück liegt außerhalb, wenn mehr als 5 % seines Bezugs weiter als das von ihrem Platz abweichen</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>Was 95 % der Stücke Stelle für Stelle nicht überschreiten: %1 (quadratisches Mittel über den Bezug), %2 an der stärksten Stelle.</translation>
     </message>
 </context>
 <context>

@@ -5993,6 +5993,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>Ningún vértice de la zona está cerca de la forma: agrande la zona por encima de las aristas de la malla o ponga la forma donde está la funda.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>%1 se omite: es demasiado estrecha para coserla. Únala a lo que está al lado</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10625,8 +10629,8 @@
         <translation>Detenido. Con todos los cambios encontrados hasta entonces, medidos de nuevo en todos los triángulos:</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>Los lados de costuras que se apartaban hasta %1 de su embebido se le acercan: %2.</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>Lados de costuras fuera de su embebido: hasta %1 antes, %2 ahora</translation>
     </message>
 </context>
 <context>
@@ -12140,10 +12144,6 @@ Lo que ve es donde estaba la tela al final.</translation>
         <translation>Detenido.</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>El 95&#xa0;% de las piezas queda dentro de %1 (RMS sobre la funda), y de %2 donde es máximo.</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>Fuera del límite: el %1 de las piezas.</translation>
     </message>
@@ -12194,6 +12194,10 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>Una pieza queda fuera cuando más del 5&#xa0;% de su funda está más lejos de donde debería</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>Lo que el 95&#xa0;% de las piezas no supera, punto por punto: %1 (RMS sobre la funda), %2 donde es máximo.</translation>
     </message>
 </context>
 <context>

@@ -5993,6 +5993,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>Aucun sommet de la zone n’est près de la forme&#x202f;: agrandissez la zone au-delà des arêtes du maillage, ou placez la forme là où est la housse.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>%1 est omise&#x202f;: elle est trop étroite pour être cousue. Réunissez-la à ce qui est à côté</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10625,8 +10629,8 @@
         <translation>Arrêté. Avec toutes les modifications trouvées jusque-là, mesurées à nouveau sur tous les triangles&#x202f;:</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>Des côtés de coutures qui s’écartaient de jusqu’à %1 de leur embu s’en rapprochent&#x202f;: %2.</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>Côtés de coutures hors de leur embu&#x202f;: jusqu’à %1 avant, %2 maintenant</translation>
     </message>
 </context>
 <context>
@@ -12140,10 +12144,6 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <translation>Arrêté.</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>95&#x202f;% des exemplaires restent dans %1 (RMS sur la housse), %2 au plus fort.</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>Hors limite&#x202f;: %1 des exemplaires.</translation>
     </message>
@@ -12194,6 +12194,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>Un exemplaire est hors limite quand plus de 5&#x202f;% de sa housse s’écarte davantage de sa place</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>Ce que 95&#x202f;% des exemplaires ne dépassent pas, point par point&#x202f;: %1 (RMS sur la housse), %2 au plus fort.</translation>
     </message>
 </context>
 <context>

@@ -5993,6 +5993,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>Nessun vertice dell’area è vicino alla forma: ingrandire l’area oltre gli spigoli della maglia, o mettere la forma dove si trova il rivestimento.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>%1 viene omesso: è troppo stretto per essere cucito. Unirlo a ciò che gli sta accanto</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10625,8 +10629,8 @@
         <translation>Fermato. Con tutte le modifiche trovate fino a quel momento, misurate di nuovo su tutti i triangoli:</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>I lati di cuciture che si scostavano fino a %1 dal loro agio gli si avvicinano: %2.</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>Lati di cuciture fuori dal loro agio: fino a %1 prima, %2 ora</translation>
     </message>
 </context>
 <context>
@@ -12140,10 +12144,6 @@ Si vede il tessuto com’era alla fine.</translation>
         <translation>Interrotto.</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>Il 95&#xa0;% dei pezzi resta entro %1 (rms sul rivestimento), %2 dove è massimo.</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>Fuori limite: %1 dei pezzi.</translation>
     </message>
@@ -12194,6 +12194,10 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>Un pezzo è fuori limite quando più del 5&#xa0;% del rivestimento dista di più da dove dovrebbe essere</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>Ciò che il 95&#xa0;% dei pezzi non supera, punto per punto: %1 (rms sul rivestimento), %2 dove è massimo.</translation>
     </message>
 </context>
 <context>

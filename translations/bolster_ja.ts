@@ -5989,6 +5989,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>範囲の頂点が形状の近くにありません。範囲をメッシュの辺より大きくするか、形状をカバーのある場所に置いてください。</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>%1 を除外しました: 縫うには幅が狭すぎます。隣のものと一つにしてください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10596,8 +10600,8 @@
         <translation>停止しました。それまでに見つかった変更をすべて適用し、すべての三角形で測り直した場合:</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>いせから最大 %1 外れていた縫い目の両側が、いせに近づきます: %2。</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>いせから外れている縫い目の両側: 以前は最大 %1、現在 %2</translation>
     </message>
 </context>
 <context>
@@ -12105,10 +12109,6 @@ What you see is where the cloth was at the end.</source>
         <translation>停止しました。</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>個体の 95 % は %1 (カバー全体の RMS) 以内、最大の所で %2 以内です。</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>限界超過: 個体の %1。</translation>
     </message>
@@ -12155,6 +12155,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>カバーの 5 % 超が本来の位置からこの値より離れている個体を、限界超過とします</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>場所ごとに個体の 95 % が超えない値: %1 (カバー全体の RMS)、最大の所で %2。</translation>
     </message>
 </context>
 <context>

@@ -5997,6 +5997,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>Żaden wierzchołek obszaru nie jest blisko formy: powiększ obszar ponad krawędzie siatki albo umieść formę tam, gdzie pokrowiec.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>kawałek %1 pominięto: jest za wąski, aby go zszyć. Połącz go z tym, co leży obok</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10654,8 +10658,8 @@
         <translation>Zatrzymano. Ze wszystkimi zmianami znalezionymi do tej chwili, zmierzonymi na nowo na wszystkich trójkątach:</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>Boki szwów, które odbiegały od swojego wdania o nawet %1, zbliżają się do niego: %2.</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>Boki szwów poza swoim wdaniem: do %1 przedtem, %2 teraz</translation>
     </message>
 </context>
 <context>
@@ -12175,10 +12179,6 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         <translation>Zatrzymano.</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>95% sztuk mieści się w %1 (RMS na pokrowcu), w najgorszym miejscu w %2.</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>Poza granicą: %1 sztuk.</translation>
     </message>
@@ -12233,6 +12233,10 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>Sztuka przekracza granicę, gdy ponad 5% jej pokrowca leży dalej od właściwego miejsca</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>Czego 95% sztuk nie przekracza, miejsce po miejscu: %1 (RMS na pokrowcu), %2 w najgorszym miejscu.</translation>
     </message>
 </context>
 <context>

@@ -5989,6 +5989,10 @@
         <source>No vertex of the area is near the form: make the area larger than the mesh edges, or put the form where the cover is.</source>
         <translation>区域内没有顶点靠近形体：请使区域大于网格边长，或将形体放到面套所在处。</translation>
     </message>
+    <message>
+        <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
+        <translation>%1 被略去：太窄，无法缝制。请将其与相邻部分合并</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10596,8 +10600,8 @@
         <translation>已停止。采用到此为止找到的全部更改，并在所有三角形上重新测量：</translation>
     </message>
     <message>
-        <source>Sides of seams that were up to %1 off their ease come nearer to it: %2.</source>
-        <translation>原先与吃势相差最多 %1 的缝线两侧更接近其吃势：%2。</translation>
+        <source>Sides of seams off their ease: up to %1 before, %2 now</source>
+        <translation>偏离吃势的缝线两侧：之前最多 %1，现在 %2</translation>
     </message>
 </context>
 <context>
@@ -12105,10 +12109,6 @@ What you see is where the cloth was at the end.</source>
         <translation>已停止。</translation>
     </message>
     <message>
-        <source>95 % of the pieces stay within %1 (rms over the cover), %2 where it is most.</source>
-        <translation>95% 的样件在 %1 以内（面套的均方根），最大处在 %2 以内。</translation>
-    </message>
-    <message>
         <source>Out of the limit: %1 of the pieces.</source>
         <translation>超出极限：样件的 %1。</translation>
     </message>
@@ -12155,6 +12155,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>A piece is out of it when more than 5 % of its cover lie farther from where they should be</source>
         <translation>当面套有 5% 以上距应在之处超过此值时，该样件超出极限</translation>
+    </message>
+    <message>
+        <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
+        <translation>95% 的样件在各处不超过：%1（面套的均方根），最大处 %2。</translation>
     </message>
 </context>
 <context>

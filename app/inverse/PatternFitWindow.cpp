@@ -282,7 +282,7 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
                   "ease change.")
                    .arg(lengthText(now->sewnMost));
     if (now && mendsLengths(m_wanted.order.locks, before, *now))
-        lines << tr("Sides of seams that were up to %1 off their ease come nearer to it: %2.")
+        lines << tr("Sides of seams off their ease: up to %1 before, %2 now")
                      .arg(lengthText(before.sewnMost), lengthText(now->sewnMost));
     if (result.jumped)
         lines << tr("On the way a fold came or went: look at the cover before you take it.");
@@ -290,6 +290,8 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
         lines << tr("%n of the numbers that may change do nothing here.", nullptr,
                     static_cast<int>(result.idle.size()));
     m_said->setText(lines.join('\n'));
+    // The list below stays under the pointer when a line goes.
+    m_said->setMinimumHeight(std::max(m_said->minimumHeight(), m_said->heightForWidth(m_said->width())));
 }
 
 void PatternFitWindow::measure()
@@ -451,6 +453,7 @@ void PatternFitWindow::forget(const QString& why)
     endMeasuring();
     m_pattern.showArrows({});
     setRunning(m_run->running());
+    m_said->setMinimumHeight(0);
     m_said->setText(why);
 }
 

@@ -30,6 +30,7 @@ constexpr double openWithin = 20;    // mm from its end on
 constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double unbearable = 0.5;   // strain: not even knitted fabrics
+constexpr double narrowest = 0.1;    // mm: nobody sews less
 constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
 constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
@@ -239,6 +240,13 @@ private:
             leaveOut(p);
             return;
         }
+        if (widthOf(p) < narrowest) {
+            m_result.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 is left out: it is too narrow to be sewn. Join "
+                                              "it to what lies beside it"),
+                 {piece(p).name}});
+            return;
+        }
         openCuts(p);
         try {
             addOutline(p);
@@ -246,6 +254,18 @@ private:
             m_starts[p].clear();
             leaveOut(p);
         }
+    }
+
+    /// Of a strip: its area by half of its border, mm.
+    double widthOf(std::size_t p) const
+    {
+        double area = 0, length = 0;
+        for (std::size_t k = 0; k < piece(p).border.size(); ++k) {
+            const Vec2 here = flatPoint(p, k), next = flatPoint(p, piece(p).after(k));
+            area += (here.x() * next.y() - here.y() * next.x()) / 2;
+            length += (next - here).norm();
+        }
+        return length > 0 ? 2 * std::abs(area) / length : 0;
     }
 
     void addOutline(std::size_t p)

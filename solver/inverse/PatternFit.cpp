@@ -78,8 +78,8 @@ std::vector<Eigen::Triplet<double>> smoothRows(const Design& design, std::span<c
     return entries;
 }
 
-/// What is reckoned with holds more than what is asked for: sides of seams that come nearer to each other are no help
-/// when the cover has gone farther from the form, nor is strain below the limit when more is over it.
+/// What is reckoned with holds more than what is asked for: sides of seams that come nearer to each other are no
+/// help when the cover has gone farther from the form, nor is strain below the limit when more is over it.
 bool isAsWanted(const FitGoals& goals, const FitFigures& before, const FitFigures& after)
 {
     if (goals.isLimitAlone())
@@ -326,6 +326,8 @@ private:
             best.setZero();
             m_result.after = m_result.before;
         }
+        if (best.isZero())
+            m_result.after.shapeRms = 0;
         take(best);
         return !m_stop.stop_requested();
     }

@@ -207,6 +207,18 @@ TEST_F(SweepCommand, SaysWhatIsWrongWithAField)
     EXPECT_NE(run.out.find("pressure of element 2"), std::string::npos) << run.out;
 }
 
+TEST_F(SweepCommand, FailsWhereNoSampleComesToRest)
+{
+    write("spec.json", R"({"tolerances": {"stiffness_percent": 5000, "size_percent": 300}})");
+    const ProgramRun run = callCommandLine({"sweep", path("design.json"), "--spec", path("spec.json"), "--samples",
+                                            "3", "--linear", "200", "--out", path("out")});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.err.find("not one of the samples has a cover at rest"), std::string::npos) << run.err;
+    const Json solved = Json::parse(read("out/report.json"))["solved"];
+    EXPECT_EQ(solved["without_cover"], solved["samples"]);
+    EXPECT_TRUE(solved["p95"].is_null()) << "what is not known is not nothing";
+}
+
 /// A tolerance as large as a piece makes no pattern that can be solved.
 TEST_F(SweepCommand, NamesTolerancesThatAreTooLarge)
 {

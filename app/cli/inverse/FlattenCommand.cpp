@@ -200,10 +200,10 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
         return read;
     read.failure = badInput;
     printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
-    if (inOtherUnit)
-        printError("(--unit first: the mesh edges are far longer than this form)");
-    else if (!read.form.refused.empty() && arguments.has("--divide"))
-        printError("(pieces less than five edges across are not divided: a shorter --edge lets them be)");
+    if (!read.form.refused.empty() && arguments.has("--divide"))
+        printError(inOtherUnit
+                       ? "(--unit first: the mesh edges are far longer than this form)"
+                       : "(pieces less than five edges across are not divided: a shorter --edge lets them be)");
     else if (!read.form.refused.empty())
         printError(
             "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG degrees, "
