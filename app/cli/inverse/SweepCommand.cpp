@@ -217,7 +217,9 @@ private:
         }
         if (!solved.empty()) {
             const auto out = std::ranges::count_if(solved, [&](const SweepSample& s) { return isOut(s, m_spec); });
-            const auto known = [&](const MapFigures& figures) { return resting.empty() ? Json() : asJson(figures); };
+            const auto known = [&](const MapFigures& figures) {
+                return resting.empty() ? Json() : asJson(figures);
+            };
             report["corrected"] = {{"samples", resting.size()}, {"p95", known(corrected)}};
             report["solved"] = {{"samples", solved.size()},
                                 {"without_cover", solved.size() - resting.size()},
