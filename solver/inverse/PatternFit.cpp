@@ -294,7 +294,7 @@ private:
         double least = leastWorth * untouchedCost(edge), reached = m_reached;
         int improvements = 0;
         m_result.after = m_result.before;
-        for (int round = 0; round < mostVerifications; ++round) {
+        for (int round = 0; round < mostVerifications && m_result.values != best; ++round) {
             const auto cover = coverOf(m_result.design, edge, WarmOrder().tolerance);
             if (!cover || m_stop.stop_requested())
                 return false;

@@ -225,24 +225,28 @@ private:
                                 {"without_cover", solved.size() - resting.size()},
                                 {"out_of_limits", out},
                                 {"p95", known(found)}};
-            constexpr std::size_t few = 20; // the worst one is what 95 % do not exceed
             if (resting.size() < solved.size())
                 printError("warning: " + std::to_string(solved.size() - resting.size()) +
                            " samples have no cover at rest");
-            if (resting.empty())
-                return report;
-            printResult(
-                (solved.size() < few ? "solved, the worst of " + counted(std::ssize(solved), "piece") : "solved") +
-                ": " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) + " mm" +
-                (m_spec.limitDistance || m_spec.limitStrain
-                     ? "; " + std::to_string(out) + " of " + std::to_string(solved.size()) +
-                           " pieces are out of limits"
-                     : std::string()));
-            printResult("linear, corrected by what these have more: " + numberText(corrected.rms, 3) + " mm, " +
-                        numberText(corrected.most, 3) + " mm");
+            if (!resting.empty())
+                printSolved(solved.size(), out, found, corrected);
         }
         report["influence"] = influence();
         return report;
+    }
+
+    void printSolved(std::size_t count, std::ptrdiff_t out, const MapFigures& found,
+                     const MapFigures& corrected) const
+    {
+        constexpr std::size_t few = 20; // the worst one is what 95 % do not exceed
+        printResult((count < few ? "solved, the worst of " + counted(static_cast<std::ptrdiff_t>(count), "piece")
+                                 : "solved") +
+                    ": " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) + " mm" +
+                    (m_spec.limitDistance || m_spec.limitStrain
+                         ? "; " + std::to_string(out) + " of " + std::to_string(count) + " pieces are out of limits"
+                         : std::string()));
+        printResult("linear, corrected by what these have more: " + numberText(corrected.rms, 3) + " mm, " +
+                    numberText(corrected.most, 3) + " mm");
     }
 
     Json influence()
