@@ -5997,6 +5997,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 ist weggelassen: Es ist zu schmal zum Nähen. Verbinden Sie es mit dem, was daneben liegt</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>Nichts wird geteilt: Es wären mehr als %1 Stücke nötig, bis sie flach liegen. Die Form ist rau, wie Scans es sind: Glätten Sie sie, oder passen Sie ihr einen Bezug an und nehmen Sie diesen</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

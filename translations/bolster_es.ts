@@ -5997,6 +5997,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 se omite: es demasiado estrecha para coserla. Únala a lo que está al lado</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>No se divide nada: harían falta más de %1 piezas para que queden planas. La forma es rugosa, como lo son los escaneos: alísela, o ajuste una funda a ella y tome esa</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -5997,6 +5997,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 est omise&#x202f;: elle est trop étroite pour être cousue. Réunissez-la à ce qui est à côté</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>Rien n’est divisé&#x202f;: il faudrait plus de %1 pièces pour qu’elles soient à plat. La forme est rugueuse, comme le sont les numérisations&#x202f;: lissez-la, ou ajustez-lui une housse et prenez celle-ci</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

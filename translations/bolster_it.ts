@@ -5997,6 +5997,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 viene omesso: è troppo stretto per essere cucito. Unirlo a ciò che gli sta accanto</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>Non si divide nulla: servirebbero più di %1 pezzi perché stiano in piano. La forma è ruvida, come lo sono le scansioni: la si lisci, oppure si adatti a essa un rivestimento e si prenda quello</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

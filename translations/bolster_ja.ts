@@ -5993,6 +5993,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 を除外しました: 縫うには幅が狭すぎます。隣のものと一つにしてください</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>何も分割しません：平らになるまでに %1 個より多くの部品が必要です。形がスキャンのように粗いためです。滑らかにするか、それにカバーを合わせて、そのカバーを使ってください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6001,6 +6001,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>kawałek %1 pominięto: jest za wąski, aby go zszyć. Połącz go z tym, co leży obok</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>Nic nie zostało podzielone: aby części leżały płasko, potrzeba by ich więcej niż %1. Forma jest chropowata jak skany: wygładź ją albo dopasuj do niej pokrowiec i użyj go</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

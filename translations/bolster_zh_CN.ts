@@ -5993,6 +5993,10 @@
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 被略去：太窄，无法缝制。请将其与相邻部分合并</translation>
     </message>
+    <message>
+        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>未作任何分割：要使各片平展，需要超过 %1 片。该形体像扫描一样粗糙：请将其平滑，或为其拟合一个面套并采用该面套</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -20,6 +20,9 @@ constexpr int mostRounds = 6;
 constexpr double sewnMore = 0.95; // of the limit: sewn to each other pieces are strained a little more than alone
 constexpr double leastEdges = 5;  // of the cover, across a piece: a smaller one is not divided
 constexpr std::size_t manyTriangles = 4000, someTriangles = 1000; // of what is divided first, and later on
+constexpr double crease = 50;                                     // degrees
+constexpr std::size_t mostCreased = 40;                           // parts between creases
+constexpr std::size_t mostPieces = 100;                           // of what was one
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
 double areaOf(const FormSheet& sheet)
@@ -125,9 +128,23 @@ public:
             bad[p] = bad[p] || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
         if (std::ranges::count(bad, true) == 0)
             return form;
-        Form now = divided(form.points, pieces, bad, [&](FormSheet sheet) {
-            return joined(flatParts(fine(std::move(sheet), manyTriangles)), false);
+        Form now = divided(form.points, pieces, bad, [&](const FormSheet& sheet) {
+            std::vector<FormSheet> all;
+            for (FormSheet& part : betweenCreases(sheet))
+                std::ranges::move(flatParts(std::move(part)), std::back_inserter(all));
+            m_isRough = m_isRough || all.size() >= mostPieces;
+            return m_isRough ? std::vector{sheet} : joined(std::move(all), false);
         });
+        if (m_isRough) {
+            Form same = form;
+            same.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "Nothing is divided: more than %1 pieces would be needed until they lie "
+                                   "flat. The form is rough, as scans are: smooth it, or fit a cover to it "
+                                   "and take that"),
+                 {std::to_string(mostPieces)}});
+            return same;
+        }
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
             const std::vector<bool> still = badOnes(now, {}, m_limit);
@@ -192,6 +209,23 @@ private:
         return !bad.empty() && !m_stop.stop_requested() && std::ranges::count(bad, true) == 0;
     }
 
+    /// What creases part already, unless they part it into small pieces; else all of it, with enough triangles.
+    std::vector<FormSheet> betweenCreases(const FormSheet& sheet) const
+    {
+        TriangleMesh mesh;
+        append(mesh, sheet, "");
+        FormCuts cuts = m_cuts;
+        cuts.angle = crease;
+        const Form form = cutForm(mesh, cuts, m_stop);
+        const std::vector<FormPiece>& pieces = form.pieces.empty() ? form.undivided : form.pieces;
+        std::vector<FormSheet> parts;
+        for (const FormPiece& piece : pieces)
+            parts.push_back(sheetOf(form.points, piece));
+        if (parts.size() < 2 || parts.size() > mostCreased)
+            return {fine(sheet, manyTriangles)};
+        return parts;
+    }
+
     /// The two halves that lie flat; else the sheet.
     std::vector<FormSheet> parts(const FormSheet& sheet)
     {
@@ -207,7 +241,7 @@ private:
     std::vector<FormSheet> flatParts(FormSheet sheet)
     {
         std::vector<FormSheet> waiting{std::move(sheet)}, done;
-        while (!waiting.empty() && !m_stop.stop_requested()) {
+        while (!waiting.empty() && done.size() < mostPieces && !m_isRough && !m_stop.stop_requested()) {
             sheet = std::move(waiting.back());
             waiting.pop_back();
             const Form form = formOf(sheet);
@@ -307,7 +341,8 @@ private:
     const DivisionProgress& m_progress;
     std::stop_token m_stop;
     int m_divisions = 0;
-    int m_found = 0; // pieces that lie flat
+    bool m_isRough = false; // it would need more pieces than anybody sews
+    int m_found = 0;        // pieces that lie flat
 };
 
 } // namespace

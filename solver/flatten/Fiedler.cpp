@@ -2,6 +2,7 @@
 
 #include "HalfEdges.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace bolster {
 namespace {
 
 constexpr int mostIterations = 40;
-constexpr Eigen::Index fewEnough = 6000; // to be solved at once
+constexpr Eigen::Index fewEnough = 20'000; // to be solved at once
 constexpr int roundsOfRelaxing = 10;
 constexpr double settled = 1e-4;   // of the vector: a round that changes it less is the last one
 constexpr double leastShare = 0.1; // of the area on either side
@@ -35,18 +36,34 @@ struct Graph {
     std::vector<Bond> bonds;
 };
 
+using Centers = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Along a direction of the sheet's own, which turns with it: like sheets shall be halved alike. Not along an axis,
+/// where symmetry would keep it from finding any other one.
+Eigen::VectorXd ownHeights(Centers centers, const Eigen::VectorXd& areas)
+{
+    const Eigen::RowVector3d middle = areas.transpose() * centers / areas.sum();
+    centers.rowwise() -= middle;
+    const Eigen::Matrix3d spread = centers.transpose() * areas.asDiagonal() * centers;
+    Centers along = centers * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+    for (Eigen::Index axis = 0; axis < 3; ++axis) // an axis has no sign but by where the sheet reaches farther
+        if (areas.dot(along.col(axis).array().cube().matrix()) < 0)
+            along.col(axis) *= -1;
+    return along * Vec3(0.4, 0.7, 1);
+}
+
 /// Bonds are as strong as the edge is long over the way from center to center, on which a bend counts as an arc of
 /// the sheet's size.
 Graph graphOf(const FormSheet& sheet, const std::stop_token& stop)
 {
     Graph graph;
     graph.areas.resize(std::ssize(sheet.triangles));
-    graph.heights.resize(std::ssize(sheet.triangles));
+    Centers centers(std::ssize(sheet.triangles), 3);
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         graph.areas[static_cast<Eigen::Index>(t)] = std::max(sheet.areaNormal(t).norm(), 1e-9);
-        // not along a usual plane of symmetry
-        graph.heights[static_cast<Eigen::Index>(t)] = sheet.center(t).dot(Vec3(1, 0.7, 0.4));
+        centers.row(static_cast<Eigen::Index>(t)) = sheet.center(t);
     }
+    graph.heights = ownHeights(centers, graph.areas);
     const double size = std::sqrt(graph.areas.sum());
     const std::vector<HalfEdge> halves = halfEdges(sheet.triangles, stop);
     if (stop.stop_requested())

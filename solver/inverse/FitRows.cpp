@@ -17,7 +17,6 @@ namespace {
 constexpr double mmOfStrain = 100; // 1 % over the limit counts like 1 mm
 constexpr double forgiven = 0.003; // more of that than before, root of the mean over the cover, 1
 constexpr double shyOfStrain = 1;  // weight of what the fabrics do not allow, where strain is no goal
-constexpr double belowLimit = 0.7; // of it: squares hardly see what is just over it, and that is most of it
 constexpr double meantEase =
     0.005;                       // of the length: sides that differ by more from their ease shall come nearer to it
 constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
@@ -266,7 +265,7 @@ void FitRows::addStrain(const SurfaceTopology& topology, const std::vector<Vec3>
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 3; ++k) {
-            const double over = std::max(0.0, std::abs(found.strains(k, t)) - belowLimit * found.limits(k, t));
+            const double over = std::max(0.0, std::abs(found.strains(k, t)) - m_strainFrom * found.limits(k, t));
             rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, found.strains(k, t)) *
                            std::sqrt(found.areas[t] / all));
         }

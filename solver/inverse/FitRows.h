@@ -18,6 +18,10 @@ public:
     /// `design`: as the designer left it.
     FitRows(const FitGoals& goals, const FitLocks& locks, const Design& design);
 
+    /// Of a limit, from where strain counts: squares hardly see what is just over it, and that is most of it.
+    static constexpr double belowLimit = 0.7, farBelowLimit = 0.6;
+    void strainFrom(double share) { m_strainFrom = share; }
+
     /// Every vertex to its nearest place on target and kept shape, and what lies in the goals' area, until the next
     /// call.
     void aim(const WarmCover& cover);
@@ -64,6 +68,7 @@ private:
     Design m_design;
     std::vector<Wanted> m_wanted; // of all seams
     std::vector<Aim> m_aims;
+    double m_strainFrom = belowLimit;
     std::size_t m_keptFirst = 0;                       // of those, that are about where the cover has been
     std::vector<std::uint32_t> m_strained, m_smoothed; // triangles of these goals
     FitTarget m_kept;

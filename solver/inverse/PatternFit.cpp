@@ -36,7 +36,7 @@ constexpr int iterationsBeside = 40;   // of covers that derivatives are taken f
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
-constexpr int mostVerifications = 10;
+constexpr int mostVerifications = 10, fewVerifications = 4;
 constexpr int mostImprovements = 2;  // on the way
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
@@ -127,7 +127,7 @@ public:
         for (m_stage = 0; whole && m_stage < m_stages - 1; ++m_stage)
             whole =
                 goOn(edges[static_cast<std::size_t>(m_stage)]) && improve(edges[static_cast<std::size_t>(m_stage)]);
-        if (whole && verify(edges.back()))
+        if (whole && verify(edges.back()) && goFarther(edges.back()))
             m_result.status = m_result.values.isZero() ? FitResult::Status::NothingToDo : FitResult::Status::Done;
         if (m_stop.stop_requested())
             m_result.status = FitResult::Status::Cancelled;
@@ -288,13 +288,13 @@ private:
     /// What counts is the cover of the changed pattern as it comes to rest by itself: that it was found on the way
     /// may have led to other folds. Then it goes on from there; and when that leads nowhere not as far, half the
     /// way to what is good or to the pattern as it was.
-    bool verify(double edge)
+    bool verify(double edge, int most = mostVerifications)
     {
         Eigen::VectorXd best = Eigen::VectorXd::Zero(m_result.values.size());
         double least = leastWorth * untouchedCost(edge), reached = m_reached;
         int improvements = 0;
         m_result.after = m_result.before;
-        for (int round = 0; round < mostVerifications && m_result.values != best; ++round) {
+        for (int round = 0; round < most && m_result.values != best; ++round) {
             const auto cover = coverOf(m_result.design, edge, WarmOrder().tolerance);
             if (!cover || m_stop.stop_requested())
                 return false;
@@ -330,6 +330,25 @@ private:
             m_result.after.shapeRms = 0;
         take(best);
         return !m_stop.stop_requested();
+    }
+
+    /// From what is found for a limit alone: squares of still smaller strains see still more of what is just over
+    /// it, but only near to what is good already they do not lead to another cover. False when it has been stopped.
+    bool goFarther(double edge)
+    {
+        if (!m_order.goals.isLimitAlone() || m_result.values.isZero() || m_result.after.overLimit == 0)
+            return !m_stop.stop_requested();
+        FitResult found = m_result;
+        m_rows.strainFrom(FitRows::farBelowLimit);
+        m_untouched.reset();
+        const bool whole = improve(edge) && verify(edge, fewVerifications);
+        if (m_stop.stop_requested())
+            return false;
+        if (!whole || m_result.jumped || !(m_result.after.overLimit < found.after.overLimit)) {
+            found.rounds = std::move(m_result.rounds);
+            m_result = std::move(found);
+        }
+        return true;
     }
 
     void take(const Eigen::VectorXd& values)

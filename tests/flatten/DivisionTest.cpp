@@ -30,12 +30,12 @@ TriangleMesh sphere(const std::string& name = "Ball", double from = -1, double t
         name);
 }
 
-TriangleMesh closedBox()
+TriangleMesh closedBox(const Vec3& size = {400, 300, 120}, int fineness = 8)
 {
-    const auto wall = [](const Vec3& corner, const Vec3& right, const Vec3& up) {
-        return gridMesh(8, 8, [=](double u, double v) { return Vec3(corner + u * right + v * up); });
+    const auto wall = [&](const Vec3& corner, const Vec3& right, const Vec3& up) {
+        return gridMesh(fineness, fineness, [=](double u, double v) { return Vec3(corner + u * right + v * up); });
     };
-    const Vec3 x(400, 0, 0), y(0, 300, 0), z(0, 0, 120), o = Vec3::Zero();
+    const Vec3 x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, size.z()), o = Vec3::Zero();
     TriangleMesh box = wall(o, y, x);
     for (const TriangleMesh& side : {wall(z, x, y), wall(o, x, z), wall(y, z, x), wall(o, z, y), wall(x, y, z)})
         box = sideBySide(box, side);
@@ -43,14 +43,21 @@ TriangleMesh closedBox()
     return box;
 }
 
+double areaOf(const Form& form, const FormPiece& piece)
+{
+    double area = 0;
+    for (const auto& [a, b, c] : piece.triangles) {
+        const auto at = [&](int vertex) { return form.points[piece.points[vertex]]; };
+        area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
+    }
+    return area;
+}
+
 double areaOf(const Form& form)
 {
     double area = 0;
     for (const FormPiece& piece : form.pieces)
-        for (const auto& [a, b, c] : piece.triangles) {
-            const auto at = [&](int vertex) { return form.points[piece.points[vertex]]; };
-            area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
-        }
+        area += areaOf(form, piece);
     return area;
 }
 
@@ -112,6 +119,48 @@ TEST(Division, ABoxIsCutAlongItsEdges)
     expectLiesFlat(form, order);
 }
 
+TEST(Division, ACubeIsCutAlongItsEdgesHoweverItIsTurned)
+{
+    const TriangleMesh cube = closedBox({300, 300, 300}, 12);
+    for (const double degrees : {0, 20, 45, 77}) {
+        const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, Vec3(1, 2, 0.5).normalized());
+        TriangleMesh turned = cube;
+        for (Vec3& point : turned.points)
+            point = turn * point;
+        std::ranges::reverse(turned.triangles);
+        const Form form = divided(cutForm(turned, {}), {});
+        EXPECT_LE(form.pieces.size(), 3u);
+        for (const FlatPiece& piece : flatten(form, {}))
+            EXPECT_LT(piece.strainP99, 0.001) << degrees;
+    }
+}
+
+TEST(Division, LikePartsAreDividedAlike)
+{
+    TriangleMesh egg = sphere("Left");
+    for (Vec3& point : egg.points)
+        point = {point.x(), (point.x() > 0 ? 1.3 : 1.1) * point.y(), (point.z() > 0 ? 1.7 : 1.4) * point.z()};
+    TriangleMesh other = egg;
+    other.parts[0].name = "Right";
+    const Eigen::AngleAxisd turn(1, Vec3(1, 2, 0.5).normalized());
+    for (Vec3& point : other.points)
+        point = turn * point + Vec3(1000, 300, 0);
+    std::ranges::rotate(other.triangles, other.triangles.begin() + 100);
+    const Form form = divided(cutForm(sideBySide(egg, other), {}), {});
+    const auto areasOf = [&](const std::string& part) {
+        std::vector<double> areas;
+        for (const FormPiece& piece : form.pieces)
+            if (piece.part == part)
+                areas.push_back(areaOf(form, piece));
+        std::ranges::sort(areas);
+        return areas;
+    };
+    const std::vector<double> left = areasOf("Left"), right = areasOf("Right");
+    ASSERT_EQ(left.size(), right.size());
+    for (std::size_t k = 0; k < left.size(); ++k)
+        EXPECT_NEAR(left[k], right[k], 0.05 * left[k]);
+}
+
 TEST(Division, TheInsideOfAClosedFormIsInside)
 {
     TriangleMesh box = closedBox();
@@ -126,6 +175,18 @@ TEST(Division, TheInsideOfAClosedFormIsInside)
                 EXPECT_GT((at(b) - at(a)).cross(at(c) - at(a)).dot(at(a) - middle), 0);
             }
     }
+}
+
+TEST(Division, ARoughFormIsNotDividedWithoutEnd)
+{
+    TriangleMesh rough = sphere();
+    for (std::size_t v = 0; v < rough.points.size(); ++v)
+        rough.points[v] *= 1 + 0.05 * std::sin(static_cast<double>(7 * v * v % 1000));
+    const Form form = cutForm(rough, {}), same = divided(form, {});
+    EXPECT_EQ(same.points, form.points);
+    EXPECT_EQ(same.problem, form.problem);
+    ASSERT_EQ(same.notes.size(), form.notes.size() + 1);
+    EXPECT_EQ(same.notes.back().args.front(), "100");
 }
 
 TEST(Division, WhatLiesFlatStaysAsItIs)
