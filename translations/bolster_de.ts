@@ -9591,6 +9591,17 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>Damit der Bezug nicht in das Gestell sinkt, setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“.</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>Was aus dieser Form zuvor wurde, geht, mit seinen Nähten und den Kurven, die nichts anderes halten. Einmal Rückgängig bringt es zurück.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>Das Schnittteil dieses Namens e&amp;rsetzen</numerusform>
+            <numerusform>Die %n Schnittteile dieser Namen e&amp;rsetzen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

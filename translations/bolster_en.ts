@@ -166,6 +166,13 @@
             <numerusform>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>&amp;Replace the patch of this name</numerusform>
+            <numerusform>&amp;Replace the %n patches of these names</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ImportPatternDialog</name>

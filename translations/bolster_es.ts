@@ -9591,6 +9591,17 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>Para que la funda no se hunda en el armazón, marque «Mantiene la funda fuera» en el armazón.</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>Las piezas que antes salieron de esta forma se van, con sus costuras y las curvas que no sujetan otra cosa. Un solo Deshacer las devuelve.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>&amp;Reemplazar la pieza de este nombre</numerusform>
+            <numerusform>&amp;Reemplazar las %n piezas de estos nombres</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

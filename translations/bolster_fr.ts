@@ -9591,6 +9591,17 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>Pour que la housse ne s’enfonce pas dans l’armature, cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature.</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>Les pièces issues auparavant de cette forme disparaissent, avec leurs coutures et les courbes qui ne tiennent rien d’autre. Une seule annulation les ramène.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>&amp;Remplacer la pièce de ce nom</numerusform>
+            <numerusform>&amp;Remplacer les %n pièces de ces noms</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9591,6 +9591,17 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>Perché il rivestimento non affondi nel telaio, spuntare «Tiene fuori il rivestimento» nel telaio.</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>I pezzi nati prima da questa forma se ne vanno, con le loro cuciture e le curve che non tengono altro. Un solo Annulla li riporta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>Sostitui&amp;re il pezzo con questo nome</numerusform>
+            <numerusform>Sostitui&amp;re i %n pezzi con questi nomi</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9572,6 +9572,16 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>カバーがフレームに沈まないようにするには、フレームで「カバーを外側に保つ」にチェックを入れてください。</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>この形から以前作られたパーツが、その縫い目と、ほかに何も留めていないカーブとともに消えます。一度の「元に戻す」で戻ります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>これらの名前のパーツ %n 個を置き換える(&amp;R)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9610,6 +9610,18 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>Aby pokrowiec nie zapadał się w stelaż, zaznacz przy stelażu „Nie wpuszcza pokrowca”.</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>Elementy, które wcześniej powstały z tej formy, znikają, z ich szwami i krzywymi, które nie trzymają nic innego. Jedno Cofnij je przywraca.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>&amp;Zastąp %n element o tej nazwie</numerusform>
+            <numerusform>&amp;Zastąp elementy o tych nazwach (%n)</numerusform>
+            <numerusform>&amp;Zastąp elementy o tych nazwach (%n)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9572,6 +9572,16 @@
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
         <translation>为使面套不陷入骨架，请在骨架处勾选“挡住面套”。</translation>
     </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>此前由该形体生成的样片将被移除，连同其缝线以及不固定其他任何东西的曲线。撤销一次即可恢复。</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>替换这些名称的 %n 个样片(&amp;R)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -6,6 +6,8 @@
 #include "DesignJson.h"
 #include "DesignSession.h"
 #include "Division.h"
+#include "EarlierPieces.h"
+#include "ElementEdits.h"
 #include "ElementText.h"
 #include "FileFormats.h"
 #include "FlatPiecesView.h"
@@ -232,6 +234,11 @@ QWidget* FormPatternWindow::buildWishes()
     rows->addWidget(m_divide);
     rows->addWidget(new QLabel(tr("and along the ticked lines:"), wishes));
     rows->addWidget(m_lines, 1);
+    m_replace = new QCheckBox(wishes);
+    m_replace->setToolTip(tr("Patches that this form became before go, with their seams and the curves that hold "
+                             "nothing else. One Undo brings them back."));
+    m_replace->hide();
+    rows->addWidget(m_replace);
     return wishes;
 }
 
@@ -490,6 +497,7 @@ void FormPatternWindow::take(FormMade made)
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, bearableStrain(fabric()));
     showOnForm();
+    offerToReplace();
     const auto leftOut = std::ranges::count(m_made->pattern.patches, noElement);
     const bool whole = leftOut == 0;
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
@@ -519,6 +527,15 @@ void FormPatternWindow::showOnForm()
     if (m_view->hovered() && *m_view->hovered() < count)
         add(*m_view->hovered(), colors.hover, 4);
     m_scene.setGuestLines(std::move(lines));
+}
+
+void FormPatternWindow::offerToReplace()
+{
+    const Design& design = m_document.design();
+    const auto count = std::ranges::count_if(edits::earlierPieces(design, m_made->pattern.design),
+                                             [&](ElementId id) { return design.find<Patch>(id) != nullptr; });
+    m_replace->setVisible(count > 0);
+    m_replace->setText(tr("&Replace the %n patches of these names", nullptr, static_cast<int>(count)));
 }
 
 void FormPatternWindow::say()
@@ -594,8 +611,11 @@ void FormPatternWindow::make()
     if (!made())
         return;
     m_document.cancelGesture();
+    Design rest = m_document.design();
+    if (m_replace->isVisible() && m_replace->isChecked())
+        rest = rest.with(edits::removeElements(rest, edits::earlierPieces(rest, m_made->pattern.design)));
     Box2 there, own;
-    m_document.design().each<Patch>([&](ElementId, const Patch& patch) {
+    rest.each<Patch>([&](ElementId, const Patch& patch) {
         for (const Vec2& point : patch.outline.points())
             there.extend(toLayout(patch, point));
     });
@@ -606,14 +626,14 @@ void FormPatternWindow::make()
     const Vec2 offset =
         there.isEmpty() ? Vec2::Zero()
                         : Vec2(there.min().x() - own.min().x(), there.min().y() - besidePattern - own.max().y());
-    edits::Outcome outcome = edits::paste(m_document.design(), writeDesign(m_made->pattern.design), offset);
+    const edits::Outcome outcome = edits::paste(rest, writeDesign(m_made->pattern.design), offset);
     if (outcome.edit.empty()) {
         m_said->setText(translated(outcome.problem));
         return;
     }
-    outcome.edit.verb = {QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"), {}};
     const std::vector<ElementId> added = edits::addedPieces(outcome.edit);
-    m_document.commit(std::move(outcome.edit));
+    m_document.commit(editBetween(m_document.design(), rest.with(outcome.edit),
+                                  {QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"), {}}));
     Box3 where;
     for (const Vec3& point : m_made->form.points)
         where.extend(point);

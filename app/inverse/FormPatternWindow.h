@@ -59,6 +59,7 @@ private:
     void take(FormMade made);
     void say();
     void showOnForm();
+    void offerToReplace();
     void make();
     void documentChanged();
     std::vector<FormLine> chosenLines() const;
@@ -76,7 +77,8 @@ private:
     ShownScene& m_scene;
     QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
     QString m_file;
-    QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr;
+    QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr,
+              *m_replace = nullptr;
     NumberBox* m_angle = nullptr;
     QTreeWidget* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;

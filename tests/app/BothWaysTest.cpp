@@ -202,6 +202,27 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
     // The cover lies where the form was: flat enough that nothing but its border holds it.
     for (const Vec3& at : window.solver().surface()->positions)
         EXPECT_NEAR(at.z(), onBowl(at.x(), at.y()).z(), 12);
+
+    // Made anew it takes the place of what was made before, when that is asked for.
+    const Design first = design();
+    const auto curves = count<FixationCurve>();
+    designer.choose({"Pattern", "From a form"});
+    dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    takeKeyboard(*dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    const QList<QCheckBox*> boxes = dialog->findChildren<QCheckBox*>();
+    const auto replace =
+        std::ranges::find_if(boxes, [](const QCheckBox* box) { return box->text().contains("Replace"); });
+    ASSERT_NE(replace, boxes.end());
+    EXPECT_TRUE((*replace)->text().contains("5"));
+    QTest::mouseClick(*replace, Qt::LeftButton, {}, {8, (*replace)->height() / 2});
+    pressIn(*dialog, "Make the pattern");
+    EXPECT_EQ(count<Patch>(), 5);
+    EXPECT_EQ(count<FixationCurve>(), curves);
+    takeKeyboard();
+    designer.key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(design(), first);
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(count<Patch>(), 0);
     EXPECT_EQ(count<FixationCurve>(), 4);

@@ -1,0 +1,14 @@
+// What a pattern that is made anew takes the place of.
+#pragma once
+
+#include "Design.h"
+
+#include <vector>
+
+namespace bolster::edits {
+
+/// Patches of the names that pieces of `made` have (numbers behind them aside, of which there may be others now),
+/// and the fixation curves of such names that hold nothing else.
+std::vector<ElementId> earlierPieces(const Design& design, const Design& made);
+
+} // namespace bolster::edits
