@@ -124,6 +124,7 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         if (!mesh)
             return made;
         FormCuts cuts = wanted.cuts;
+        cuts.divides = wanted.divide && !wanted.draft;
         if (!wanted.cadFile.isEmpty()) {
             made.problem = readEdges(wanted.cadFile, stop);
             if (!made.problem.empty() || stop.stop_requested())

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace bolster {
 
@@ -18,11 +19,13 @@ using Triangle = std::array<int, 3>;
 constexpr FlattenOrder quickly{0.3, 120, 0.02};
 constexpr int mostRounds = 6;
 constexpr double sewnMore = 0.95; // of the limit: sewn to each other pieces are strained a little more than alone
-constexpr double leastEdges = 5;  // of the cover, across a piece: a smaller one is not divided
+constexpr double crumbEdges = 0.5;
+constexpr double leastEdges = 5; // of the cover, across a piece: a smaller one is not divided
 constexpr std::size_t manyTriangles = 4000, someTriangles = 1000; // of what is divided first, and later on
 constexpr double crease = 50;                                     // degrees
 constexpr std::size_t mostCreased = 40;                           // parts between creases
 constexpr std::size_t mostPieces = 100;                           // of what was one
+constexpr double asClose = 1e-4;                                  // of a number: roundoff apart
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
 double areaOf(const FormSheet& sheet)
@@ -221,14 +224,43 @@ private:
         std::vector<FormSheet> parts;
         for (const FormPiece& piece : pieces)
             parts.push_back(sheetOf(form.points, piece));
+        joinCrumbs(parts);
         if (parts.size() < 2 || parts.size() > mostCreased)
             return {fine(sheet, manyTriangles)};
         return parts;
     }
 
-    /// The two halves that lie flat; else the sheet.
+    /// Splinters of a mesh lean anywhere: what they part belongs to what it has most of its border in common with.
+    void joinCrumbs(std::vector<FormSheet>& parts) const
+    {
+        const double crumb = std::pow(crumbEdges * m_order.edgeLength, 2);
+        const auto isCrumb = [&](const FormSheet& part) { return areaOf(part) < crumb; };
+        while (parts.size() > 1 && std::ranges::any_of(parts, isCrumb) && !m_stop.stop_requested()) {
+            const std::map<Pair, double> common = commonLengths(parts);
+            auto longest = common.end();
+            for (auto each = common.begin(); each != common.end(); ++each)
+                if ((isCrumb(parts[each->first.first]) || isCrumb(parts[each->first.second])) &&
+                    (longest == common.end() || each->second > longest->second))
+                    longest = each;
+            if (longest == common.end())
+                return;
+            const auto [a, b] = longest->first;
+            parts[a] = together(std::move(parts[a]), parts[b]);
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(b));
+        }
+    }
+
+    /// What creases part, or else the two halves, until they lie flat; or the sheet.
     std::vector<FormSheet> parts(const FormSheet& sheet)
     {
+        if (areaOf(sheet) < m_least)
+            return {sheet};
+        if (std::vector<FormSheet> between = betweenCreases(sheet); between.size() > 1) {
+            std::vector<FormSheet> all;
+            for (FormSheet& part : between)
+                std::ranges::move(flatParts(std::move(part)), std::back_inserter(all));
+            return joined(std::move(all), true);
+        }
         auto [below, above] = halved(sheet);
         if (below.triangles.empty() || above.triangles.empty())
             return {sheet};
@@ -280,17 +312,29 @@ private:
     /// Neighbours that lie flat together are one again, first those that have most of their outline in common.
     std::vector<FormSheet> joined(std::vector<FormSheet> sheets, bool onlySmall) const
     {
+        joinCrumbs(sheets);
         std::map<Pair, double> common = commonLengths(sheets);
         if (onlySmall)
             std::erase_if(common, [&](const auto& each) {
                 return std::min(areaOf(sheets[each.first.first]), areaOf(sheets[each.first.second])) >= m_least;
             });
+        std::vector<double> areas;
+        for (const FormSheet& sheet : sheets)
+            areas.push_back(areaOf(sheet));
         const auto closeness = [&](const auto& each) {
             const auto& [pair, length] = each;
-            return length / std::sqrt(std::min(areaOf(sheets[pair.first]), areaOf(sheets[pair.second])));
+            return length / std::sqrt(std::min(areas[pair.first], areas[pair.second]));
+        };
+        const auto size = [&](const auto& each) { return areas[each.first.first] + areas[each.first.second]; };
+        // Of those that are as close the largest: a strip grows, where halves of it would be in each other's way.
+        const auto comesFirst = [&](const auto& one, const auto& other) {
+            const double more = closeness(one) - closeness(other);
+            return std::abs(more) > asClose * closeness(one) ? more > 0 : size(one) > (1 + asClose) * size(other);
         };
         while (!common.empty() && !m_stop.stop_requested()) {
-            const auto closest = std::ranges::max_element(common, {}, closeness);
+            auto closest = common.begin();
+            for (auto each = common.begin(); each != common.end(); ++each)
+                closest = comesFirst(*each, *closest) ? each : closest;
             const auto [a, b] = closest->first;
             common.erase(closest);
             FormSheet both = together(sheets[a], sheets[b]);
@@ -299,6 +343,7 @@ private:
                 continue;
             sheets[a] = std::move(both);
             sheets[b] = {};
+            areas[a] += std::exchange(areas[b], 0);
             for (auto each = common.begin(); each != common.end();) {
                 const auto [one, other] = each->first;
                 if (one != b && other != b) {

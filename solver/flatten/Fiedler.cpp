@@ -17,10 +17,10 @@ namespace bolster {
 
 namespace {
 
-constexpr int mostIterations = 40;
+constexpr int mostIterations = 2000;
 constexpr Eigen::Index fewEnough = 20'000; // to be solved at once
 constexpr int roundsOfRelaxing = 10;
-constexpr double settled = 1e-4;   // of the vector: a round that changes it less is the last one
+constexpr double settled = 1e-9;   // of the vector: a round that changes it less is the last one
 constexpr double leastShare = 0.1; // of the area on either side
 
 /// What two neighbouring triangles have in common.

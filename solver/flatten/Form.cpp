@@ -71,16 +71,18 @@ private:
     {
         if (m_stop.stop_requested())
             return;
-        if (!m_cuts.lines.empty())
+        const bool tidies = !m_cuts.lines.empty() || m_cuts.divides;
+        if (tidies)
             partSheets(m_welded, m_stop);
         if (!m_cuts.edges.empty())
             m_cut = edgesAlong(m_welded, m_cuts.edges);
-        if (m_cuts.lines.empty() || m_stop.stop_requested())
+        if (!tidies || m_stop.stop_requested())
             return;
         LinedTriangles lined =
             cutAlong({m_welded.points, m_welded.triangles, m_welded.part, m_cut}, m_cuts, m_stop, m_draft);
         if (!lined.problem.empty()) {
-            m_form.problem = lined.problem;
+            if (!m_cuts.lines.empty())
+                m_form.problem = lined.problem;
             return;
         }
         m_welded.points = std::move(lined.points);

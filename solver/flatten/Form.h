@@ -31,6 +31,7 @@ struct FormCuts {
     std::vector<FormLine> lines = {};
     /// And along edges of the mesh on these rows of points, mm: of CAD faces.
     std::vector<std::vector<Vec3>> edges = {};
+    bool divides = false; ///< it will be divided: splinters, which lean anywhere, are mended as beside lines
 };
 
 /// The other side of an edge that is cut; none at the form's border.

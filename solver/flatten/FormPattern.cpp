@@ -21,6 +21,8 @@ namespace {
 constexpr double farthestFlat = 1e6;   // mm: what lies farther out has burst when it was laid flat
 constexpr double leastShape = 1e-6;    // of a triangle, against the squares of its sides
 constexpr double sharpTurn = 35;       // degrees: an outline or a border that turns more has a corner
+constexpr double bluntTurn = 5;        // degrees: that is seen in a straight line
+constexpr double besideCorner = 0.05;  // times its turn: straight
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
 constexpr double rowsWide = 1.5;       // times as wide as high is what lies in rows
@@ -223,10 +225,26 @@ private:
         return std::ranges::find(piece(p).rows, k, &BorderRow::first) != piece(p).rows.end();
     }
 
+    double flatTurn(std::size_t p, std::size_t k) const
+    {
+        return turnAt(flatPoint(p, piece(p).before(k)), flatPoint(p, k), flatPoint(p, piece(p).after(k)));
+    }
+
+    /// A turn between straight lines is a corner, however blunt; in a bend the places beside it turn as well.
+    bool standsAlone(std::size_t p, std::size_t k) const
+    {
+        const double turn = flatTurn(p, k);
+        const auto isStraightAt = [&](std::size_t i) {
+            const double there = flatTurn(p, i);
+            return beginsRow(p, i) || there > sharpTurn || there < besideCorner * turn;
+        };
+        return turn > bluntTurn && isStraightAt(piece(p).before(k)) && isStraightAt(piece(p).after(k));
+    }
+
     bool isCorner(std::size_t p, std::size_t k) const
     {
         const std::size_t before = piece(p).before(k), after = piece(p).after(k);
-        if (beginsRow(p, k) || turnAt(flatPoint(p, before), flatPoint(p, k), flatPoint(p, after)) > sharpTurn)
+        if (beginsRow(p, k) || flatTurn(p, k) > sharpTurn || standsAlone(p, k))
             return true;
         return piece(p).mates[k].none() &&
                turnAt(formPoint(p, before), formPoint(p, k), formPoint(p, after)) > sharpTurn;

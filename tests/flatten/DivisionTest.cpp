@@ -71,6 +71,32 @@ void expectLiesFlat(const Form& form, const FormPatternOrder& order)
         EXPECT_LE(flat[p].strainP99, 1.1 * bearableStrain(order.fabric)) << form.pieces[p].name;
 }
 
+/// The second one is turned, moved and numbered otherwise.
+TriangleMesh twoEggs()
+{
+    TriangleMesh egg = sphere("Left");
+    for (Vec3& point : egg.points)
+        point = {point.x(), (point.x() > 0 ? 1.3 : 1.1) * point.y(), (point.z() > 0 ? 1.7 : 1.4) * point.z()};
+    TriangleMesh other = egg;
+    other.parts[0].name = "Right";
+    const Eigen::AngleAxisd turn(1, Vec3(1, 2, 0.5).normalized());
+    for (Vec3& point : other.points)
+        point = turn * point + Vec3(1000, 300, 0);
+    std::ranges::rotate(other.triangles, other.triangles.begin() + 100);
+    return sideBySide(egg, other);
+}
+
+/// mm^2, of the pieces that a part has become, the smallest first.
+std::vector<double> areasOf(const Form& form, const std::string& part)
+{
+    std::vector<double> areas;
+    for (const FormPiece& piece : form.pieces)
+        if (piece.part == part)
+            areas.push_back(areaOf(form, piece));
+    std::ranges::sort(areas);
+    return areas;
+}
+
 std::ptrdiff_t openEdges(const Form& form)
 {
     std::ptrdiff_t open = 0;
@@ -135,30 +161,57 @@ TEST(Division, ACubeIsCutAlongItsEdgesHoweverItIsTurned)
     }
 }
 
+/// Many ways to go on are equally good there.
+TEST(Division, APrismIsDividedAlikeHoweverItsTrianglesAreNumbered)
+{
+    TriangleMesh prism;
+    constexpr std::uint32_t sides = 5;
+    for (const double height : {0.0, 200.0})
+        for (std::uint32_t k = 0; k < sides; ++k)
+            prism.points.emplace_back(200 * std::cos(k * 2 * std::numbers::pi / sides),
+                                      200 * std::sin(k * 2 * std::numbers::pi / sides), height);
+    for (std::uint32_t k = 0; k < sides; ++k) {
+        const std::uint32_t next = (k + 1) % sides;
+        prism.triangles.push_back({k, next, sides + next});
+        prism.triangles.push_back({k, sides + next, sides + k});
+        if (k > 1) {
+            prism.triangles.push_back({0, k, k - 1});
+            prism.triangles.push_back({sides, sides + k - 1, sides + k});
+        }
+    }
+    const std::size_t count = divided(cutForm(prism, {}), {}).pieces.size();
+    EXPECT_LE(count, 3u);
+    for (std::size_t first = 3; first < prism.triangles.size(); first += 3) {
+        TriangleMesh other = prism;
+        std::ranges::rotate(other.triangles, other.triangles.begin() + static_cast<std::ptrdiff_t>(first));
+        EXPECT_EQ(divided(cutForm(other, {}), {}).pieces.size(), count) << first;
+    }
+}
+
 TEST(Division, LikePartsAreDividedAlike)
 {
-    TriangleMesh egg = sphere("Left");
-    for (Vec3& point : egg.points)
-        point = {point.x(), (point.x() > 0 ? 1.3 : 1.1) * point.y(), (point.z() > 0 ? 1.7 : 1.4) * point.z()};
-    TriangleMesh other = egg;
-    other.parts[0].name = "Right";
-    const Eigen::AngleAxisd turn(1, Vec3(1, 2, 0.5).normalized());
-    for (Vec3& point : other.points)
-        point = turn * point + Vec3(1000, 300, 0);
-    std::ranges::rotate(other.triangles, other.triangles.begin() + 100);
-    const Form form = divided(cutForm(sideBySide(egg, other), {}), {});
-    const auto areasOf = [&](const std::string& part) {
-        std::vector<double> areas;
-        for (const FormPiece& piece : form.pieces)
-            if (piece.part == part)
-                areas.push_back(areaOf(form, piece));
-        std::ranges::sort(areas);
-        return areas;
-    };
-    const std::vector<double> left = areasOf("Left"), right = areasOf("Right");
+    const Form form = divided(cutForm(twoEggs(), {}), {});
+    const std::vector<double> left = areasOf(form, "Left"), right = areasOf(form, "Right");
     ASSERT_EQ(left.size(), right.size());
     for (std::size_t k = 0; k < left.size(); ++k)
         EXPECT_NEAR(left[k], right[k], 0.05 * left[k]);
+}
+
+/// A cut that divides nothing, on one of them.
+TEST(Division, WhatALineDoesNotTouchStaysAsItIs)
+{
+    FormCuts cuts;
+    cuts.divides = true;
+    const Form without = divided(cutForm(twoEggs(), cuts), {});
+    cuts.lines = {{"Dart", {{200, 0, 0}, {190, 60, 0}, {170, 100, 0}}}};
+    const Form with = divided(cutForm(twoEggs(), cuts), {});
+    const std::vector<double> before = areasOf(without, "Right"), after = areasOf(with, "Right");
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+        EXPECT_NEAR(before[k], after[k], 1e-3 * before[k]);
+    EXPECT_LE(areasOf(with, "Left").size(), areasOf(without, "Left").size() + 1);
+    for (const double area : areasOf(with, "Left"))
+        EXPECT_GT(area, 1000) << "a crumb";
 }
 
 TEST(Division, TheInsideOfAClosedFormIsInside)

@@ -258,5 +258,28 @@ TEST(Flatten, ALongEdgeBesideShortOnesStaysStraight)
     EXPECT_NEAR(box.sizes().minCoeff(), 100, 3);
 }
 
+/// Corners that turn by 30 degrees and less, between straight lines of many points.
+TEST(Flatten, BluntCornersBetweenStraightLinesStayCorners)
+{
+    const std::vector<Vec3> corners{{0, 0, 0},     {300, 0, 0},   {380, 46, 0},
+                                    {400, 100, 0}, {400, 300, 0}, {0, 300, 0}};
+    TriangleMesh plate;
+    plate.points.emplace_back(200, 150, 0);
+    constexpr int parts = 5;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+        for (int i = 0; i < parts; ++i)
+            plate.points.emplace_back(corners[k] +
+                                      i * (corners[(k + 1) % corners.size()] - corners[k]) / double(parts));
+    const auto around = static_cast<std::uint32_t>(plate.points.size()) - 1;
+    for (std::uint32_t k = 0; k < around; ++k)
+        plate.triangles.push_back({0, 1 + k, 1 + (k + 1) % around});
+    const Form form = cutForm(plate, {});
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    const auto* patch = made.design.find<Patch>(made.patches.at(0));
+    ASSERT_TRUE(patch);
+    EXPECT_NEAR(std::abs(patch->outline.signedArea()), 116700, 0.1);
+    EXPECT_EQ(patch->outline.corners().size(), corners.size());
+}
+
 } // namespace
 } // namespace bolster::test

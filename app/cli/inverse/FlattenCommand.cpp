@@ -183,6 +183,7 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     ReadForm read;
     {
         ProgressLine line("cutting the form");
+        cuts.divides = arguments.has("--divide");
         read.form = cutForm(mesh, cuts, stop);
     }
     if (arguments.has("--divide")) {
