@@ -17,6 +17,8 @@ namespace {
 constexpr double mmOfStrain = 100; // 1 % over the limit counts like 1 mm
 constexpr double forgiven = 0.003; // more of that than before, root of the mean over the cover, 1
 constexpr double shyOfStrain = 1;  // weight of what the fabrics do not allow, where strain is no goal
+constexpr double pressedSooner =
+    0.6; // of where stretch counts: else what is too tight is eased by faces going slack
 constexpr double meantEase =
     0.005;                       // of the length: sides that differ by more from their ease shall come nearer to it
 constexpr double keptLength = 1; // weight of 1 mm between a seam's sides
@@ -265,7 +267,8 @@ void FitRows::addStrain(const SurfaceTopology& topology, const std::vector<Vec3>
     const double all = found.areas.sum();
     for (Eigen::Index t = 0; t < found.areas.size(); ++t)
         for (int k = 0; k < 3; ++k) {
-            const double over = std::max(0.0, std::abs(found.strains(k, t)) - m_strainFrom * found.limits(k, t));
+            const double from = k < 2 && found.strains(k, t) < 0 ? pressedSooner * m_strainFrom : m_strainFrom;
+            const double over = std::max(0.0, std::abs(found.strains(k, t)) - from * found.limits(k, t));
             rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, found.strains(k, t)) *
                            std::sqrt(found.areas[t] / all));
         }
