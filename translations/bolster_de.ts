@@ -9598,7 +9598,7 @@
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
         <translation>
-            <numerusform>Das Schnittteil dieses Namens e&amp;rsetzen</numerusform>
+            <numerusform>Das %n Schnittteil dieses Namens e&amp;rsetzen</numerusform>
             <numerusform>Die %n Schnittteile dieser Namen e&amp;rsetzen</numerusform>
         </translation>
     </message>

@@ -169,7 +169,7 @@
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
         <translation>
-            <numerusform>&amp;Replace the patch of this name</numerusform>
+            <numerusform>&amp;Replace the %n patch of this name</numerusform>
             <numerusform>&amp;Replace the %n patches of these names</numerusform>
         </translation>
     </message>

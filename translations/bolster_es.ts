@@ -9598,7 +9598,7 @@
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
         <translation>
-            <numerusform>&amp;Reemplazar la pieza de este nombre</numerusform>
+            <numerusform>&amp;Reemplazar la %n pieza de este nombre</numerusform>
             <numerusform>&amp;Reemplazar las %n piezas de estos nombres</numerusform>
         </translation>
     </message>

@@ -9598,7 +9598,7 @@
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
         <translation>
-            <numerusform>&amp;Remplacer la pièce de ce nom</numerusform>
+            <numerusform>&amp;Remplacer la %n pièce de ce nom</numerusform>
             <numerusform>&amp;Remplacer les %n pièces de ces noms</numerusform>
         </translation>
     </message>

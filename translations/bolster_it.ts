@@ -9598,7 +9598,7 @@
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
         <translation>
-            <numerusform>Sostitui&amp;re il pezzo con questo nome</numerusform>
+            <numerusform>Sostitui&amp;re il %n pezzo con questo nome</numerusform>
             <numerusform>Sostitui&amp;re i %n pezzi con questi nomi</numerusform>
         </translation>
     </message>

@@ -215,6 +215,8 @@ private:
     /// What creases part already, unless they part it into small pieces; else all of it, with enough triangles.
     std::vector<FormSheet> betweenCreases(const FormSheet& sheet) const
     {
+        if (areaOf(sheet) < m_least)
+            return {sheet};
         TriangleMesh mesh;
         append(mesh, sheet, "");
         FormCuts cuts = m_cuts;

@@ -1,6 +1,7 @@
 // Goals of a fit beside a form and strain: no folds, a seam along a curve, a patch of another size.
 #include "ArcLength.h"
 #include "CoverStrains.h"
+#include "FitRows.h"
 #include "PatternFit.h"
 #include "PatternLocator.h"
 #include "TestFreedoms.h"
@@ -61,6 +62,32 @@ TEST(FitGoals, OneLimitHoldsInEveryDirection)
     EXPECT_EQ(areaOver(symmetric(0, 0, 0.038)), 0) << "1.9 % on the bias, whatever angle threads take";
     EXPECT_EQ(areaOver(symmetric(0, 0, 0.042)), 1);
     EXPECT_EQ(areaOver(symmetric(0.012, 0.012, 0.02)), 1) << "2.2 % on the bias, less along every thread";
+}
+
+/// Else what is too tight is eased by faces going slack.
+TEST(FitGoals, ClothThatIsPressedTogetherCountsSoonerThanStretch)
+{
+    const Design design = coarseSample("box-cushion", coarseEdge);
+    FitGoals goals;
+    goals.strain = true;
+    goals.limit = 2;
+    goals.keepShape = 0;
+    FitRows rows(goals, {}, design);
+    WarmOrder order;
+    order.edgeLength = coarseEdge;
+    const WarmCover cover(SolveInput(design, {}), order);
+    ASSERT_TRUE(cover.hasHome());
+    rows.aim(cover);
+    const SurfaceTopology& topology = *cover.mesh().topology;
+    const auto cost = [&](double strain) {
+        std::vector<Vec3> places;
+        for (const auto& at : topology.pattern)
+            places.emplace_back((1 + strain) * at.x(), (1 + strain) * at.y(), 0);
+        return rows.rows(topology, places, design).squaredNorm();
+    };
+    EXPECT_NEAR(cost(0.013), cost(0), 1e-6);
+    EXPECT_GT(cost(-0.013), cost(0) + 0.01);
+    EXPECT_GT(cost(0.018), cost(0) + 0.01);
 }
 
 TEST(FitGoals, APatchGetsTheSizeThatIsWanted)
