@@ -344,7 +344,9 @@ private:
         const bool whole = improve(edge) && verify(edge, fewVerifications);
         if (m_stop.stop_requested())
             return false;
-        if (!whole || m_result.jumped || !(m_result.after.overLimit < found.after.overLimit)) {
+        const bool keepsShape =
+            m_result.after.shapeRms <= std::max(m_order.goals.shapeWithin, found.after.shapeRms);
+        if (!whole || m_result.jumped || !keepsShape || !(m_result.after.overLimit < found.after.overLimit)) {
             found.rounds = std::move(m_result.rounds);
             m_result = std::move(found);
         }
