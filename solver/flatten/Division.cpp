@@ -18,9 +18,9 @@ using Triangle = std::array<int, 3>;
 
 constexpr FlattenOrder quickly{0.3, 120, 0.02};
 constexpr int mostRounds = 6;
-constexpr double sewnMore = 0.95; // of the limit: sewn to each other pieces are strained a little more than alone
-constexpr double crumbEdges = 0.5;
-constexpr double leastEdges = 5; // of the cover, across a piece: a smaller one is not divided
+constexpr double sewnMore = 0.95;  // of the limit: sewn to each other pieces are strained a little more than alone
+constexpr double crumbEdges = 0.5; // of the cover, across what no crease parts
+constexpr double leastEdges = 5;   // of the cover, across a piece: a smaller one is not divided
 constexpr std::size_t manyTriangles = 4000, someTriangles = 1000; // of what is divided first, and later on
 constexpr double crease = 50;                                     // degrees
 constexpr std::size_t mostCreased = 40;                           // parts between creases
@@ -132,9 +132,7 @@ public:
         if (std::ranges::count(bad, true) == 0)
             return form;
         Form now = divided(form.points, pieces, bad, [&](const FormSheet& sheet) {
-            std::vector<FormSheet> all;
-            for (FormSheet& part : betweenCreases(sheet))
-                std::ranges::move(flatParts(std::move(part)), std::back_inserter(all));
+            std::vector<FormSheet> all = flatPartsOf(betweenCreases(sheet));
             m_isRough = m_isRough || all.size() >= mostPieces;
             return m_isRough ? std::vector{sheet} : joined(std::move(all), false);
         });
@@ -257,18 +255,20 @@ private:
     {
         if (areaOf(sheet) < m_least)
             return {sheet};
-        if (std::vector<FormSheet> between = betweenCreases(sheet); between.size() > 1) {
-            std::vector<FormSheet> all;
-            for (FormSheet& part : between)
-                std::ranges::move(flatParts(std::move(part)), std::back_inserter(all));
-            return joined(std::move(all), true);
-        }
+        if (std::vector<FormSheet> between = betweenCreases(sheet); between.size() > 1)
+            return joined(flatPartsOf(std::move(between)), true);
         auto [below, above] = halved(sheet);
         if (below.triangles.empty() || above.triangles.empty())
             return {sheet};
-        std::vector<FormSheet> all = flatParts(std::move(below));
-        std::ranges::move(flatParts(std::move(above)), std::back_inserter(all));
-        return joined(std::move(all), true);
+        return joined(flatPartsOf({std::move(below), std::move(above)}), true);
+    }
+
+    std::vector<FormSheet> flatPartsOf(std::vector<FormSheet> sheets)
+    {
+        std::vector<FormSheet> all;
+        for (FormSheet& sheet : sheets)
+            std::ranges::move(flatParts(std::move(sheet)), std::back_inserter(all));
+        return all;
     }
 
     /// Halves of halves, as long as they do not lie flat.
