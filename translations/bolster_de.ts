@@ -9511,10 +9511,6 @@
         <translation>Eine Form wird abgewickelt …</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>Es wurde angehalten. Ändern Sie, wie sie geschnitten wird, oder wählen Sie die Form noch einmal, um sie abzuwickeln.</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>Was daraus wurde</translation>
     </message>
@@ -9601,6 +9597,14 @@
             <numerusform>Das %n Schnittteil dieses Namens e&amp;rsetzen</numerusform>
             <numerusform>Die %n Schnittteile dieser Namen e&amp;rsetzen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Flach legen</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Es wurde angehalten.</translation>
     </message>
 </context>
 <context>
@@ -12213,6 +12217,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>Was 95 % der Stücke Stelle für Stelle nicht überschreiten: %1 (quadratisches Mittel über den Bezug), %2 an der stärksten Stelle.</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>Mit viel mehr von ihnen kann der quadratische Mittelwert um %1 anders sein.</translation>
     </message>
 </context>
 <context>

@@ -9511,10 +9511,6 @@
         <translation>Aplanando una forma…</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>Se detuvo. Cambie cómo se corta o elija de nuevo la forma para aplanarla.</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>Lo que resultó</translation>
     </message>
@@ -9601,6 +9597,14 @@
             <numerusform>&amp;Reemplazar la %n pieza de este nombre</numerusform>
             <numerusform>&amp;Reemplazar las %n piezas de estos nombres</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Aplanar</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Se ha detenido.</translation>
     </message>
 </context>
 <context>
@@ -12213,6 +12217,10 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>Lo que el 95&#xa0;% de las piezas no supera, punto por punto: %1 (RMS sobre la funda), %2 donde es máximo.</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>Con muchas más, la media cuadrática puede diferir en %1.</translation>
     </message>
 </context>
 <context>

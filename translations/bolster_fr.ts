@@ -9511,10 +9511,6 @@
         <translation>Mise à plat d’une forme…</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>Arrêté. Changez la façon de couper ou choisissez à nouveau la forme pour la mettre à plat.</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>Ce qui en est résulté</translation>
     </message>
@@ -9601,6 +9597,14 @@
             <numerusform>&amp;Remplacer la %n pièce de ce nom</numerusform>
             <numerusform>&amp;Remplacer les %n pièces de ces noms</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Mettre à plat</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Arrêté.</translation>
     </message>
 </context>
 <context>
@@ -12213,6 +12217,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>Ce que 95&#x202f;% des exemplaires ne dépassent pas, point par point&#x202f;: %1 (RMS sur la housse), %2 au plus fort.</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>Avec bien plus de pièces, la moyenne quadratique peut différer de %1.</translation>
     </message>
 </context>
 <context>

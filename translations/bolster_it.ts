@@ -9511,10 +9511,6 @@
         <translation>Stesura in piano di una forma…</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>Interrotto. Cambia come viene tagliata o scegli di nuovo la forma per stenderla.</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>Che cosa ne è venuto</translation>
     </message>
@@ -9601,6 +9597,14 @@
             <numerusform>Sostitui&amp;re il %n pezzo con questo nome</numerusform>
             <numerusform>Sostitui&amp;re i %n pezzi con questi nomi</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Stendi in piano</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>È stato fermato.</translation>
     </message>
 </context>
 <context>
@@ -12213,6 +12217,10 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>Ciò che il 95&#xa0;% dei pezzi non supera, punto per punto: %1 (rms sul rivestimento), %2 dove è massimo.</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>Con molti altri, la media quadratica può differire di %1.</translation>
     </message>
 </context>
 <context>

@@ -9495,10 +9495,6 @@
         <translation>形状を平らに展開しています…</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>停止しました。切り方を変えるか形状を選び直すと、平らに展開します。</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>結果</translation>
     </message>
@@ -9581,6 +9577,14 @@
         <translation>
             <numerusform>これらの名前のパーツ %n 個を置き換える(&amp;R)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>平らに展開(&amp;L)</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>停止しました。</translation>
     </message>
 </context>
 <context>
@@ -12173,6 +12177,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>場所ごとに個体の 95 % が超えない値: %1 (カバー全体の RMS)、最大の所で %2。</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>さらに多く解くと、二乗平均は %1 ほど変わる可能性があります。</translation>
     </message>
 </context>
 <context>

@@ -9527,10 +9527,6 @@
         <translation>Rozkładanie formy na płasko…</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>Zatrzymano. Zmień sposób cięcia albo wybierz formę ponownie, aby ją rozłożyć.</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>Co z tego wyszło</translation>
     </message>
@@ -9621,6 +9617,14 @@
             <numerusform>&amp;Zastąp elementy o tych nazwach (%n)</numerusform>
             <numerusform>&amp;Zastąp elementy o tych nazwach (%n)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Rozłóż na płasko</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Zatrzymano.</translation>
     </message>
 </context>
 <context>
@@ -12253,6 +12257,10 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>Czego 95% sztuk nie przekracza, miejsce po miejscu: %1 (RMS na pokrowcu), %2 w najgorszym miejscu.</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>Przy znacznie większej ich liczbie średnia kwadratowa może się różnić o %1.</translation>
     </message>
 </context>
 <context>

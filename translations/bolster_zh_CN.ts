@@ -9495,10 +9495,6 @@
         <translation>正在展平形体…</translation>
     </message>
     <message>
-        <source>It was stopped. Change how it is cut, or choose the form again, to lay it flat.</source>
-        <translation>已停止。更改切分方式或重新选择形体，即可展平。</translation>
-    </message>
-    <message>
         <source>What came of it</source>
         <translation>结果</translation>
     </message>
@@ -9581,6 +9577,14 @@
         <translation>
             <numerusform>替换这些名称的 %n 个样片(&amp;R)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Lay it flat</source>
+        <translation>展平(&amp;L)</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>已停止。</translation>
     </message>
 </context>
 <context>
@@ -12173,6 +12177,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.</source>
         <translation>95% 的样件在各处不超过：%1（面套的均方根），最大处 %2。</translation>
+    </message>
+    <message>
+        <source>With many more of them the rms may differ by %1.</source>
+        <translation>若求解更多，均方根可能相差 %1。</translation>
     </message>
 </context>
 <context>

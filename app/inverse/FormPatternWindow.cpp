@@ -147,7 +147,7 @@ void FormPatternWindow::build()
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     m_stop = new QPushButton(tr("&Stop"), this); // not among the others, which would move under the pointer
     m_stop->setAutoDefault(false);
-    connect(m_stop, &QPushButton::clicked, this, &FormPatternWindow::stop);
+    connect(m_stop, &QPushButton::clicked, this, [this] { m_running ? stop() : ask(false); });
     m_busy = new QProgressBar(this);
     m_busy->setRange(0, 0);
     m_busy->setAccessibleName(tr("Laying a form flat \u2026"));
@@ -462,12 +462,13 @@ void FormPatternWindow::ask(bool draft)
 
 void FormPatternWindow::setRunning(bool running)
 {
+    m_stop->setText(tr("&Stop"));
+    m_stop->setVisible(running);
     if (running == static_cast<bool>(m_running))
         return;
     m_running =
         running ? std::make_unique<RunningJob>(tr("Laying a form flat \u2026"), [this] { stop(); }) : nullptr;
     m_busy->setVisible(running);
-    m_stop->setVisible(running);
 }
 
 void FormPatternWindow::stop()
@@ -476,7 +477,9 @@ void FormPatternWindow::stop()
     ++m_asked; // what is on its way comes too late
     setRunning(false);
     clear();
-    m_said->setText(tr("It was stopped. Change how it is cut, or choose the form again, to lay it flat."));
+    m_stop->setText(tr("&Lay it flat"));
+    m_stop->show();
+    m_said->setText(tr("It was stopped."));
 }
 
 void FormPatternWindow::clear()

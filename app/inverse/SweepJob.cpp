@@ -56,6 +56,7 @@ void countSolved(const std::vector<SweepSample>& all, const Linear& linear, cons
     if (resting.empty())
         return; // what is known is by linear covers
     found.p95 = correctedP95(linear.p95, linear.columns, wanted.tolerances, resting);
+    found.error = correctedRmsError(linear.p95, linear.columns, wanted.tolerances, resting);
     found.out = static_cast<int>(
         std::ranges::count_if(resting, [&](const SweepSample* sample) { return sample->p95 > wanted.limit; }));
 }

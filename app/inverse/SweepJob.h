@@ -3,6 +3,8 @@
 
 #include "Sweep.h"
 
+#include <optional>
+
 namespace bolster {
 
 struct SweepWanted {
@@ -24,6 +26,7 @@ struct SweepFound {
     int solved = 0;                   ///< pieces by which p95 is known; 0: linear covers
     int resting = 0;                  ///< of them, that came to rest
     int out = 0;                      ///< pieces out of the limit, of the solved ones or of all linear ones
+    std::optional<double> error;      ///< mm, of the rms of p95, where it is known
     bool whole = false;               ///< there is nothing more to come
 
     static constexpr int linearSamples = 10'000;

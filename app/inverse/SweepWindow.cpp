@@ -280,17 +280,11 @@ void SweepWindow::take(SweepFound found)
 /// `lead`: a line that comes first.
 void SweepWindow::say(const QString& lead)
 {
-    double squares = 0;
-    float most = 0;
-    for (const float value : m_found->p95) {
-        squares += static_cast<double>(value) * value;
-        most = std::max(most, value);
-    }
-    const double rms = std::sqrt(squares / static_cast<double>(m_found->p95.size()));
+    const float most = *std::ranges::max_element(m_found->p95);
     QStringList lines(lead.isEmpty() ? 0 : 1, lead);
     lines << QStringList{
         tr("95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.")
-            .arg(lengthText(rms, 2), lengthText(static_cast<double>(most), 2)),
+            .arg(lengthText(rmsOf(m_found->p95), 2), lengthText(static_cast<double>(most), 2)),
         tr("Out of the limit: %1 of the pieces.").arg(percentText(std::round(1000 * m_found->outShare()) / 1000))};
     if (m_found->resting == 0)
         lines << (m_found->whole ? tr("That is as if covers were linear.")
@@ -299,6 +293,9 @@ void SweepWindow::say(const QString& lead)
         lines << tr("By %n solved pieces so far; more are being solved \u2026", nullptr, m_found->resting);
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
+    if (m_found->error)
+        lines.back() +=
+            " " + tr("With many more of them the rms may differ by %1.").arg(lengthText(*m_found->error, 2));
     if (!m_found->unknown.empty())
         lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them "
                     "smaller.",

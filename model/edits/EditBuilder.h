@@ -2,6 +2,7 @@
 #pragma once
 
 #include "EditHelpers.h"
+#include "FreeNames.h"
 
 namespace bolster::edits {
 
@@ -58,33 +59,15 @@ public:
     {
         design.each<T>([&](ElementId id, const T& value) {
             if (id != own)
-                m_taken.insert(value.name);
+                m_names.take(value.name);
         });
     }
 
     /// "Seat", or "Seat 2" ... when it is taken.
-    std::string free(const std::string& wanted)
-    {
-        if (m_taken.insert(wanted).second)
-            return wanted;
-        const std::string stem = withoutNumber(wanted);
-        for (int& count = m_counts.try_emplace(stem, 2).first->second;; ++count)
-            if (std::string name = stem + " " + std::to_string(count); m_taken.insert(name).second)
-                return name;
-    }
+    std::string free(const std::string& wanted) { return m_names.free(wanted); }
 
 private:
-    /// "Seat 2" is followed by "Seat 3", not by "Seat 2 2".
-    static std::string withoutNumber(const std::string& name)
-    {
-        const std::size_t space = name.find_last_of(' ');
-        const bool numbered = space != std::string::npos && space + 1 < name.size() && name.size() - space < 8 &&
-                              name.find_first_not_of("0123456789", space + 1) == std::string::npos;
-        return numbered ? name.substr(0, space) : name;
-    }
-
-    std::set<std::string> m_taken;
-    std::map<std::string, int> m_counts; // by stem: all before it are taken
+    FreeNames m_names;
 };
 
 template <class T>

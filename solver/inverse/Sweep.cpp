@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 namespace bolster {
@@ -17,6 +16,10 @@ namespace bolster {
 namespace {
 
 constexpr int blockOfVertices = 256;
+// Of solved pieces, to tell how sure they are.
+constexpr std::size_t fewestBatches = 4;
+constexpr std::size_t mostBatches = 10;
+constexpr std::size_t fewestOfBatch = 4;
 
 float percentile95(std::vector<float>& sizes)
 {
@@ -255,6 +258,31 @@ std::vector<float> correctedP95(std::vector<float> linearP95, const Eigen::Matri
     for (std::size_t v = 0; v < below.size(); ++v)
         linearP95[v] = std::max(0.0F, linearP95[v] + above[v] - below[v]);
     return linearP95;
+}
+
+std::optional<double> correctedRmsError(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
+                                        const Tolerances& tolerances, const std::vector<const SweepSample*>& solved)
+{
+    const std::size_t batches = std::min(mostBatches, solved.size() / fewestOfBatch);
+    if (batches < fewestBatches)
+        return std::nullopt;
+    Eigen::ArrayXd rms(static_cast<Eigen::Index>(batches));
+    for (std::size_t b = 0; b < batches; ++b) {
+        std::vector<const SweepSample*> batch;
+        for (std::size_t k = b; k < solved.size(); k += batches)
+            batch.push_back(solved[k]);
+        rms[static_cast<Eigen::Index>(b)] = rmsOf(correctedP95(linearP95, linear, tolerances, batch));
+    }
+    const double degrees = static_cast<double>(batches - 1);
+    return 2 * std::sqrt((rms - rms.mean()).square().sum() / degrees / static_cast<double>(batches));
+}
+
+double rmsOf(const std::vector<float>& map)
+{
+    double squares = 0;
+    for (const float value : map)
+        squares += static_cast<double>(value) * value;
+    return map.empty() ? 0 : std::sqrt(squares / static_cast<double>(map.size()));
 }
 
 std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace bolster {
@@ -69,6 +70,13 @@ std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
 /// pieces by (a control variate), so that what is chance in the few does not count.
 std::vector<float> correctedP95(std::vector<float> linearP95, const Eigen::MatrixXf& linear,
                                 const Tolerances& tolerances, const std::vector<const SweepSample*>& solved);
+/// By how much solving more pieces may change the rms over the cover of `correctedP95`, mm: twice its standard
+/// error, by what batches of the solved pieces say by themselves. None where they are too few to tell.
+std::optional<double> correctedRmsError(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
+                                        const Tolerances& tolerances,
+                                        const std::vector<const SweepSample*>& solved);
+/// Over all vertices.
+double rmsOf(const std::vector<float>& map);
 
 /// How much of the variance of the whole cover comes of each tolerance, as shares.
 std::vector<double> influences(const Eigen::MatrixXf& linear, const Tolerances& tolerances,

@@ -143,6 +143,12 @@ TEST(Sweep, SolvedPiecesCorrectLinearOnes)
     EXPECT_NEAR(corrected[0], many[0], 1e-5);
     EXPECT_NEAR(corrected[1], 1.5 * many[1], 0.15) << "what 64 pieces leave to chance is half of it";
     EXPECT_EQ(correctedP95(many, linear, tolerances, {}), many);
+
+    const std::optional<double> error = correctedRmsError(many, linear, tolerances, all);
+    ASSERT_TRUE(error);
+    EXPECT_GT(*error, 0.005) << "batches of few pieces differ";
+    EXPECT_LT(std::abs(rmsOf(corrected) - rmsOf({many[0], 1.5F * many[1], many[2]})), 2 * *error);
+    EXPECT_FALSE(correctedRmsError(many, linear, tolerances, {all.begin(), all.begin() + 15}));
 }
 
 TEST(Sweep, InfluencesAreSharesAndFindWhatMatters)

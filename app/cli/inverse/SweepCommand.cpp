@@ -90,10 +90,7 @@ MapFigures figuresOf(std::vector<float> map)
     MapFigures figures;
     if (map.empty())
         return figures;
-    double squares = 0;
-    for (const float value : map)
-        squares += static_cast<double>(value) * value;
-    figures.rms = std::sqrt(squares / static_cast<double>(map.size()));
+    figures.rms = rmsOf(map);
     std::ranges::sort(map);
     figures.p95 = map[static_cast<std::size_t>(0.95 * static_cast<double>(map.size() - 1))];
     figures.most = map.back();
@@ -220,7 +217,11 @@ private:
             const auto known = [&](const MapFigures& figures) {
                 return resting.empty() ? Json() : asJson(figures);
             };
+            const std::optional<double> error =
+                correctedRmsError(m_maps.linear, m_linear, m_spec.tolerances, resting);
             report["corrected"] = {{"samples", resting.size()}, {"p95", known(corrected)}};
+            if (error)
+                report["corrected"]["p95"]["rms_error_mm"] = *error;
             report["solved"] = {{"samples", solved.size()},
                                 {"without_cover", solved.size() - resting.size()},
                                 {"out_of_limits", out},
@@ -229,14 +230,14 @@ private:
                 printError("warning: " + std::to_string(solved.size() - resting.size()) +
                            " samples have no cover at rest");
             if (!resting.empty())
-                printSolved(solved.size(), out, found, corrected);
+                printSolved(solved.size(), out, found, corrected, error);
         }
         report["influence"] = influence();
         return report;
     }
 
-    void printSolved(std::size_t count, std::ptrdiff_t out, const MapFigures& found,
-                     const MapFigures& corrected) const
+    void printSolved(std::size_t count, std::ptrdiff_t out, const MapFigures& found, const MapFigures& corrected,
+                     std::optional<double> error) const
     {
         constexpr std::size_t few = 20; // the worst one is what 95 % do not exceed
         printResult((count < few ? "solved, the worst of " + counted(static_cast<std::ptrdiff_t>(count), "piece")
@@ -245,7 +246,8 @@ private:
                     (m_spec.limitDistance || m_spec.limitStrain
                          ? "; " + std::to_string(out) + " of " + std::to_string(count) + " pieces are out of limits"
                          : std::string()));
-        printResult("linear, corrected by what these have more: " + numberText(corrected.rms, 3) + " mm, " +
+        printResult("linear, corrected by what these have more: " + numberText(corrected.rms, 3) + " mm" +
+                    (error ? " (+-" + numberText(*error, 2) + ")" : std::string()) + ", " +
                     numberText(corrected.most, 3) + " mm");
     }
 

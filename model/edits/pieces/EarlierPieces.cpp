@@ -1,23 +1,12 @@
 #include "EarlierPieces.h"
 
+#include "FreeNames.h"
+
 #include <algorithm>
 #include <set>
 #include <string>
 
 namespace bolster::edits {
-
-namespace {
-
-/// "Seat" of "Seat 2".
-std::string withoutNumber(const std::string& name)
-{
-    const std::size_t space = name.find_last_of(' ');
-    const bool numbered = space != std::string::npos && space > 0 && space + 1 < name.size() &&
-                          name.find_first_not_of("0123456789", space + 1) == std::string::npos;
-    return numbered ? name.substr(0, space) : name;
-}
-
-} // namespace
 
 std::vector<ElementId> earlierPieces(const Design& design, const Design& made)
 {

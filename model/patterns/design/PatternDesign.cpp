@@ -4,12 +4,14 @@
 #include "DesignCheck.h"
 #include "DesignJson.h"
 #include "ElementEdits.h"
+#include "FreeNames.h"
 #include "LayoutEdits.h"
 #include "PieceElements.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 namespace bolster {
 
@@ -19,38 +21,6 @@ constexpr double besideOthers = 80;   // mm: from what is in the layout
 constexpr double farthestApart = 1e6; // mm: pieces that lie farther from each other were never laid out
 constexpr double largestPlace = 9e6;  // mm: what the rules take, and some room
 
-/// Names of patches that nobody has yet, however many pieces are called alike.
-class FreeNames {
-public:
-    explicit FreeNames(const Design& design)
-    {
-        design.each<Patch>([&](ElementId, const Patch& patch) { m_taken.insert(patch.name); });
-    }
-
-    std::string operator()(const std::string& wanted)
-    {
-        if (m_taken.insert(wanted).second)
-            return wanted;
-        const std::string stem = stemOf(wanted);
-        for (int& count = m_next.try_emplace(stem, 2).first->second;; ++count)
-            if (std::string name = stem + " " + std::to_string(count); m_taken.insert(name).second)
-                return name;
-    }
-
-private:
-    /// "Seat 2" is followed by "Seat 3", not by "Seat 2 2".
-    static std::string stemOf(const std::string& name)
-    {
-        const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-        const bool counted =
-            digits > 1 && digits < name.size() && name.size() - digits < 7 && name[digits - 1] == ' ';
-        return counted ? name.substr(0, digits - 1) : name;
-    }
-
-    std::set<std::string> m_taken;
-    std::map<std::string, int> m_next;
-};
-
 class PatternBuilder {
 public:
     PatternBuilder(const Design& design, const PatternChoice& choice)
@@ -58,8 +28,8 @@ public:
         , m_now(design)
         , m_choice(choice)
         , m_fresh(design)
-        , m_names(design)
     {
+        design.each<Patch>([&](ElementId, const Patch& patch) { m_names.take(patch.name); });
         design.each<Fabric>([&](ElementId id, const Fabric& fabric) {
             m_fabrics.try_emplace(fabric.name, Change{id, nullptr, design.element(id)});
             m_anyFabric = m_anyFabric.id == noElement ? Change{id, nullptr, design.element(id)} : m_anyFabric;
@@ -104,7 +74,7 @@ private:
             m_anyFabric = m_anyFabric.id == noElement ? fabric : m_anyFabric;
         }
         Patch patch = std::get<Patch>(*made.changes.front().after);
-        patch.name = m_names(patch.name);
+        patch.name = m_names.free(patch.name);
         made.changes.front().after = makeElement(std::move(patch));
         m_added.changes.insert(m_added.changes.end(), made.changes.begin(), made.changes.end());
         m_result.patches.push_back(made.patch);
