@@ -22,6 +22,9 @@ namespace {
 constexpr double stableGain = 1.3;
 // Of the rest shape against that in the matrices, below 4/3 for L2, too.
 constexpr double mostDistortion = 1.2;
+// Of a move without acceleration: beside sharply bent smooth seams a whole one can overshoot by as much again, and
+// the next one go all the way back.
+constexpr double plainShare = 0.5;
 
 } // namespace
 
@@ -290,7 +293,7 @@ std::optional<double> SheetOptimizer::iterate()
     solveFrames();
     solvePositions();
     if (!mixes || m_mesh.freeCount == 0)
-        return movePositions(stableStep());
+        return movePositions((m_acceleration == Acceleration::None ? plainShare : 1) * stableStep());
     m_mixing.mix(stableStep(), m_pool, m_positions->x());
     return movePositions(1);
 }

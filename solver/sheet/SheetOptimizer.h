@@ -54,7 +54,7 @@ public:
     void retarget();
 
     enum class Acceleration {
-        None,     ///< plain iterations, slower but never circling
+        None,     ///< plain iterations of half a step, slower but never circling
         Momentum, ///< Nesterov's
         Mixing,   ///< Anderson's: near to rest it needs fewer iterations than momentum does
     };

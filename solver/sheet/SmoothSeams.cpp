@@ -168,12 +168,14 @@ void SmoothSeams::join(const SurfaceTopology::Chain& seam, Continuity continuity
             continue; // right side to wrong side
         const std::size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 1, seam.a.size() - 1);
         auto add = [&](int vertex, int partner, const Eigen::Matrix2d& map) {
+            const double stiffness =
+                m_mesh.parts[partOf[partner]].material.stiffness / m_mesh.parts[partOf[vertex]].material.stiffness;
             const auto& chain = vertex == v ? seam.a : seam.b;
             m_joints.push_back({vertex,
                                 partOf[vertex],
                                 rest[vertex],
-                                {{kind, partner, map, turnBack(map), rest[partner], static_cast<int>(chain[before]),
-                                  static_cast<int>(chain[after])}},
+                                {{kind, partner, stiffness, map, turnBack(map), rest[partner],
+                                  static_cast<int>(chain[before]), static_cast<int>(chain[after])}},
                                 derivativeAlong(m_mesh, vertex, rest[vertex], sumOfRing(m_mesh, vertex, true))});
         };
         add(v, w, to);
@@ -272,8 +274,8 @@ double SmoothSeams::fitBothSides(const Joint& joint, const SheetMoment& sheet, C
             share = smoothness(frame, sheet.frames.col(side.partner));
         const Matrix32 other = covariance(sheet, side.partner);
         const Eigen::Matrix2d to = mapNow(joint, side, sheet, own, other);
-        both += share * other * to.transpose();
-        rest += share * to * side.rest * to.transpose();
+        both += share * side.stiffness * other * to.transpose();
+        rest += share * side.stiffness * to * side.rest * to.transpose();
     }
     if (share == 0)
         return 0;
@@ -293,11 +295,11 @@ Eigen::Vector4d SmoothSeams::turnToPartners(const Joint& joint, const Columns& f
         if (side.kind != Kind::C1)
             continue;
         const Quat between = own.conjugate() * quaternionOf(frames.col(side.partner)) * side.turnBack;
-        turn += between.w() < 0 ? -between.z() : between.z();
+        const double way = side.stiffness / (1 + side.stiffness); // both frames move, the softer side's farther
+        turn += way * (between.w() < 0 ? -between.z() : between.z());
     }
     const Quat pull = own * Quat(0, 0, 0, turn);
-    // Both frames move, so each may go half the way only.
-    return 0.5 * dampingOf(joint) / static_cast<double>(joint.sides.size()) *
+    return dampingOf(joint) / static_cast<double>(joint.sides.size()) *
            Eigen::Vector4d(pull.w(), pull.x(), pull.y(), pull.z());
 }
 

@@ -8,7 +8,8 @@ namespace bolster {
 
 /// At an outline a frame is fitted to half a ring and smoothed towards one side only, which makes every plain seam
 /// a free hinge. Between two patches that is wanted: a box has edges. Along a smooth seam the frames are fitted to
-/// the rings of both sides instead, the other one's turned into the own pattern plane:
+/// the rings of both sides instead, the other one's turned into the own pattern plane, and each as stiff as its
+/// fabric (or the pulls on both rings would turn the sheet as a whole, without end where nothing resists):
 /// - C1: so that the tangents of both stretches agree. The frames become equal, and the texture runs on.
 /// - G1: so that the seam runs the same way in both frames. Only the normals become equal; the texture may turn.
 /// - C0 of a patch with itself: like C1 unless the sides really meet at an angle. A tube that is cut from one piece
@@ -36,6 +37,7 @@ private:
     struct Side {
         Kind kind = Kind::Self;
         int partner = 0;
+        double stiffness = 1; ///< of the partner's fabric, in terms of the vertex'
         Eigen::Matrix2d to;   ///< from the partner's pattern plane to the vertex'
         Quat turnBack;        ///< with which a partner's frame is one of the vertex' plane
         Eigen::Matrix2d rest; ///< S of the partner, in its own plane

@@ -133,6 +133,40 @@ TEST(SmoothSeams, SettleForAnyBendingLengthAndMesh)
         }
 }
 
+/// Two strips sewn to each other whose outer edges lie so far apart and tilted so far, mm: a fold that hangs on
+/// hinges. Returns the iterations it takes.
+int iterationsOfAFold(Continuity continuity, double apart, double tilt)
+{
+    constexpr double length = 300, width = 100; // mm
+    constexpr int most = 1000;
+    DesignBuilder b(12);
+    const ElementId lower = b.patch(rectangle(length, width), b.fabric(0.3, 1, 4));
+    const ElementId upper = b.patch(rectangle(length, width), b.fabric(0.3, 1, 1));
+    Seam seam;
+    seam.a = {lower, 2, 3};
+    seam.b = {upper, 0, 1};
+    seam.continuity = continuity;
+    b.add(seam);
+    b.fix({lower, 0, 1}, polyline({{0, 0, 0}, {length, 0, 0}}));
+    b.fix({upper, 2, 3}, polyline({{length, apart, tilt}, {0, apart, -tilt}}));
+    TriangulationCache cache;
+    const std::optional<PreparedSheet> sheet = prepareSheet(b.design(), cache);
+    WorkerPool pool(1);
+    Relaxation relaxation(sheet->mesh, pool, 1e-6);
+    relaxation.startCanonically();
+    while (relaxation.phase() == Relaxation::Phase::Running && relaxation.iterations() < most)
+        relaxation.iterate();
+    return relaxation.phase() == Relaxation::Phase::Converged ? relaxation.iterations() : most;
+}
+
+TEST(SmoothSeams, OfAStiffAndASoftFabricDoNotTurnAFoldForEver)
+{
+    for (const Continuity continuity : {Continuity::C1, Continuity::G1})
+        for (const double apart : {20.0, 60.0})
+            for (const double tilt : {0.0, 30.0})
+                EXPECT_LT(iterationsOfAFold(continuity, apart, tilt), 500) << apart << " mm, " << tilt;
+}
+
 /// A soft and a stiff strip in one plane, sheared together: the soft one turns further.
 double turnAtTheSeam(Continuity continuity)
 {
