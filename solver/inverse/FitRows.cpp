@@ -31,7 +31,7 @@ constexpr double farthest = 60;      // mm: what is farther from the target does
 constexpr double mostPoints = 1e6;   // of a target
 constexpr double mostPressed = 0.01; // along the grain or across it, of cloth that lies smooth
 constexpr double smoothWeight = 3;   // 1 % pressed together is as bad as so many mm
-constexpr double beyondShape = 2;    // weight of 1 mm that the cover goes farther than it may
+constexpr double beyondShape = 4;    // weight of 1 mm that the cover goes farther than it may
 constexpr double nearlyBeyond = 0.9; // of how far it may go: there that begins
 constexpr double sizeWeight = 8;     // 1 % of a patch's width is as bad as so many mm
 
