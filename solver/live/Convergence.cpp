@@ -46,6 +46,13 @@ bool Convergence::add(double move, double left)
     return m_inARow >= enough;
 }
 
+void Convergence::forget()
+{
+    m_moves.clear();
+    m_inARow = 0;
+    m_mixedInARow = 0;
+}
+
 bool FitConvergence::add(double misfit)
 {
     m_misfits.push_back(misfit);

@@ -17,6 +17,8 @@ public:
     /// `move` of one more iteration, relative to D, and how much is left as mixing sees it, in moves. Returns
     /// whether the iteration has converged.
     bool add(double move, double left = std::numeric_limits<double>::infinity());
+    /// The moves so far: those of another kind of iteration say nothing of how fast the next ones shrink.
+    void forget();
     double estimate() const { return m_estimate; }
     /// The moves have not become smaller for long; stays true for some iterations.
     bool stalled() const { return m_plainLeft > 0; }

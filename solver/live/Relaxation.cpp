@@ -104,7 +104,8 @@ void Relaxation::iterate()
 {
     if (m_phase != Phase::Running)
         return;
-    m_optimizer.setAcceleration(acceleration());
+    if (m_optimizer.setAcceleration(acceleration()))
+        m_convergence.forget();
     m_watch.restart();
     const std::optional<double> move = m_optimizer.iterate();
     m_iterateTime += m_watch.elapsed();

@@ -305,11 +305,13 @@ void SheetOptimizer::alignFrames()
             m_back.frames.col(v) *= -1;
 }
 
-void SheetOptimizer::setAcceleration(Acceleration acceleration)
+bool SheetOptimizer::setAcceleration(Acceleration acceleration)
 {
-    if (acceleration != m_acceleration)
-        startHere();
+    if (acceleration == m_acceleration)
+        return false;
+    startHere();
     m_acceleration = acceleration;
+    return true;
 }
 
 /// Without acceleration, from the present state.

@@ -58,7 +58,8 @@ public:
         Momentum, ///< Nesterov's
         Mixing,   ///< Anderson's: near to rest it needs fewer iterations than momentum does
     };
-    void setAcceleration(Acceleration acceleration);
+    /// Whether it is another one than before.
+    bool setAcceleration(Acceleration acceleration);
     /// See Mixing; of other accelerations nothing is known.
     bool lost() const { return m_mixing.lost(); }
     double left() const { return m_mixing.left(); }

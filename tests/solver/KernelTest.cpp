@@ -343,6 +343,16 @@ TEST(Convergence, IsNotDeceivedBySlowMoves)
     EXPECT_LT(move, 1e-5);
 }
 
+TEST(Convergence, DoesNotCompareMovesOfUnlikeIterations)
+{
+    Convergence circling(1e-5);
+    for (int i = 0; i < 600; ++i)
+        EXPECT_FALSE(circling.add(1e-3));
+    circling.forget();
+    for (int i = 0; i < 300; ++i)
+        EXPECT_FALSE(circling.add(1e-6)) << i; // small, and hardly becoming smaller
+}
+
 TEST(Convergence, NoticesCircling)
 {
     Convergence circling(1e-5);
