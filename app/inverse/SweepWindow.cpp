@@ -208,15 +208,17 @@ QWidget* SweepWindow::buildPieces()
     return box;
 }
 
-void SweepWindow::addTolerances(Tolerances& tolerances)
+void SweepWindow::addTolerances()
 {
+    m_tolerances = {};
+    m_tolerances.normal = m_drawn->currentIndex() == 1;
     m_titles.clear();
     for (std::size_t k = 0; k < std::size(kinds); ++k) {
         if (!(m_spreads[k]->value() > 0))
             continue;
         for (Tolerance& one : kinds[k].make(m_start, m_spreads[k]->value())) {
             m_titles.push_back(tableWords(kinds[k].row).arg(namesOf(m_start, one)) + axisText(one));
-            tolerances.all.push_back(std::move(one));
+            m_tolerances.all.push_back(std::move(one));
         }
     }
 }
@@ -226,21 +228,29 @@ void SweepWindow::find()
     if (!takeTyped(*this))
         return;
     m_document.cancelGesture();
-    m_start = m_document.committed();
-    m_tolerances = {};
-    m_tolerances.normal = m_drawn->currentIndex() == 1;
-    addTolerances(m_tolerances);
-    if (m_tolerances.all.empty()) {
-        forget(tr("Nothing varies: give a tolerance above 0 of something that the design has."));
-        return;
+    std::vector<double> asked{static_cast<double>(m_drawn->currentIndex())};
+    for (const NumberBox* spread : m_spreads)
+        asked.push_back(spread->value());
+    // What was found is of the design as it is: more pieces, or another limit, go on from there.
+    const bool more = m_found && asked == m_asked;
+    if (!more) {
+        m_asked = std::move(asked);
+        m_start = m_document.committed();
+        addTolerances();
+        forget(m_tolerances.all.empty()
+                   ? tr("Nothing varies: give a tolerance above 0 of something that the design has.")
+                   : tr("Covers with each tolerance are solved \u2026"));
+        if (m_tolerances.all.empty())
+            return;
     }
-    forget(tr("Covers with each tolerance are solved \u2026"));
+    m_limitAsked = m_limit->value();
     m_run->setRunning(true);
     m_job.request({m_run->newRun(),
                    {m_start, m_session.files()},
                    m_tolerances,
                    static_cast<int>(m_samples->value()),
-                   m_limit->value()},
+                   m_limitAsked,
+                   more ? m_found->known : SweepKnown{}},
                   true);
 }
 
@@ -266,8 +276,10 @@ void SweepWindow::take(SweepFound found)
         m_said->setText(translated(found.problem));
         return;
     }
-    const bool first = !m_found;
+    const bool first = !m_found, asBefore = m_found && !found.whole && m_found->solved == found.solved;
     m_found = std::move(found);
+    if (asBefore)
+        return; // its figures wait for more pieces
     if (m_found->whole)
         m_run->setRunning(false);
     say();
@@ -280,12 +292,8 @@ void SweepWindow::take(SweepFound found)
 /// `lead`: a line that comes first.
 void SweepWindow::say(const QString& lead)
 {
-    const float most = *std::ranges::max_element(m_found->p95);
     QStringList lines(lead.isEmpty() ? 0 : 1, lead);
-    lines << QStringList{
-        tr("95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.")
-            .arg(lengthText(rmsOf(m_found->p95), 2), lengthText(static_cast<double>(most), 2)),
-        tr("Out of the limit: %1 of the pieces.").arg(percentText(std::round(1000 * m_found->outShare()) / 1000))};
+    lines << figuresText() << outText();
     if (m_found->resting == 0)
         lines << (m_found->whole ? tr("That is as if covers were linear.")
                                  : tr("That is as if covers were linear; pieces are being solved \u2026"));
@@ -294,16 +302,38 @@ void SweepWindow::say(const QString& lead)
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
     if (m_found->error)
-        lines.back() +=
-            " " + tr("With many more of them the rms may differ by %1.").arg(lengthText(*m_found->error, 2));
-    if (!m_found->unknown.empty())
+        lines.back() += " " + tr("Many more of them would say another figure, within \u00b1.");
+    const std::vector<std::size_t>& unknown = m_found->known.linear->unknown;
+    if (!unknown.empty())
         lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them "
                     "smaller.",
-                    nullptr, static_cast<int>(m_found->unknown.size()))
-                     .arg(m_titles[m_found->unknown.front()]);
+                    nullptr, static_cast<int>(unknown.size()))
+                     .arg(m_titles[unknown.front()]);
     if (m_found->resting < m_found->solved)
         lines << tr("%n pieces have no cover at rest.", nullptr, m_found->solved - m_found->resting);
     m_said->setText(lines.join('\n'));
+}
+
+QString SweepWindow::figuresText() const
+{
+    const float most = *std::ranges::max_element(m_found->p95);
+    const double rms = rmsOf(m_found->p95);
+    return tr("95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.")
+        .arg(m_found->error
+                 ? QStringLiteral("%1 \u00b1 %2").arg(lengthFigure(rms, 2), lengthText(*m_found->error, 2))
+                 : lengthText(rms, 2),
+             lengthText(static_cast<double>(most), 2));
+}
+
+QString SweepWindow::outText() const
+{
+    const auto whole = [](double share) { return percentText(std::round(100 * share) / 100); };
+    if (m_found->resting == 0)
+        return tr("Out of the limit: about %1 of the pieces.")
+            .arg(whole(static_cast<double>(m_found->out) / SweepFound::linearPieces));
+    const auto [least, most] = shareOfMany(m_found->out, m_found->resting);
+    return tr("Out of the limit: %1 of %2 pieces (of many: %3 to %4).")
+        .arg(QString::number(m_found->out), QString::number(m_found->resting), whole(least), whole(most));
 }
 
 void SweepWindow::fill()
@@ -331,12 +361,13 @@ void SweepWindow::showMap()
         return;
     }
     auto map = std::make_shared<ShownMap>();
-    map->topology = m_found->nominal->topology;
+    map->topology = m_found->known.linear->nominal->topology;
     map->values = m_found->p95;
     map->kind = MapScale::Kind::Sequential;
     map->limit = ShownMap::usualLimit(static_cast<double>(*std::ranges::max_element(m_found->p95)));
     map->title = tr("What 95 % of the pieces do not exceed");
     map->unit = millimetreSuffix;
+    map->mark = static_cast<float>(m_limitAsked);
     m_maps.setGuest(std::move(map));
 }
 

@@ -36,7 +36,9 @@ private:
     void build();
     QWidget* buildTolerances();
     QWidget* buildPieces();
-    void addTolerances(Tolerances& tolerances);
+    void addTolerances();
+    QString figuresText() const;
+    QString outText() const;
     void find();
     void stop();
     void take(SweepFound found);
@@ -63,6 +65,8 @@ private:
 
     Design m_start;                ///< of what is sought or was found
     Tolerances m_tolerances;       ///< that were asked for
+    std::vector<double> m_asked;   ///< the numbers that they follow from
+    double m_limitAsked = 0;       ///< mm
     std::vector<QString> m_titles; ///< of each of them
     std::optional<SweepFound> m_found;
     LatestJob<SweepWanted, SweepFound> m_job; ///< last: it uses the others

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <random>
 #include <utility>
 
 namespace bolster {
@@ -16,10 +17,11 @@ namespace bolster {
 namespace {
 
 constexpr int blockOfVertices = 256;
-// Of solved pieces, to tell how sure they are.
-constexpr std::size_t fewestBatches = 4;
-constexpr std::size_t mostBatches = 10;
-constexpr std::size_t fewestOfBatch = 4;
+// Of solved pieces, to tell how sure they are. All of them are surer than the halves, but what 95 % do not exceed
+// hardly is where that is one of the worst two of them; tried with synthetic covers of 20 to 200 pieces, what is
+// said held for 86 to 99 of 100 draws.
+constexpr std::size_t fewestToTell = 16;
+constexpr int halvings = 8;
 
 float percentile95(std::vector<float>& sizes)
 {
@@ -58,6 +60,31 @@ Eigen::VectorXf spreadsOf(const Tolerances& tolerances, std::uint64_t number)
         spreads[2 * k + 1] = static_cast<float>(std::max(-spread, 0.0));
     }
     return spreads;
+}
+
+struct SolvedPiece {
+    const SweepSample* solved;
+    const SweepSample* linear;
+};
+
+std::vector<float> corrected(std::vector<float> linearP95, const std::vector<SolvedPiece>& pieces)
+{
+    std::vector<const SweepSample*> solved, linear;
+    for (const SolvedPiece& piece : pieces) {
+        solved.push_back(piece.solved);
+        linear.push_back(piece.linear);
+    }
+    const std::vector<float> above = solvedP95(solved), below = solvedP95(linear);
+    for (std::size_t v = 0; v < above.size(); ++v)
+        linearP95[v] = std::max(0.0F, linearP95[v] + above[v] - below[v]);
+    return linearP95;
+}
+
+/// In the same order with every standard library, as std::shuffle is not.
+void shuffle(std::vector<SolvedPiece>& pieces, std::mt19937& dice)
+{
+    for (std::size_t k = pieces.size() - 1; k > 0; --k)
+        std::swap(pieces[k], pieces[dice() % (k + 1)]);
 }
 
 } // namespace
@@ -245,36 +272,39 @@ std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples)
     return result;
 }
 
-std::vector<float> correctedP95(std::vector<float> linearP95, const Eigen::MatrixXf& linear,
-                                const Tolerances& tolerances, const std::vector<const SweepSample*>& solved)
+CorrectedP95 correctedP95(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
+                          const Tolerances& tolerances, const std::vector<const SweepSample*>& solved)
 {
+    std::vector<SolvedPiece> pieces;
     std::vector<SweepSample> reckoned;
-    std::vector<const SweepSample*> same;
     reckoned.reserve(solved.size());
     for (const SweepSample* sample : solved)
         if (sample->outside.size() == linearP95.size())
-            same.push_back(&reckoned.emplace_back(linearSample(linear, tolerances, sample->number)));
-    const std::vector<float> above = solvedP95(solved), below = solvedP95(same);
-    for (std::size_t v = 0; v < below.size(); ++v)
-        linearP95[v] = std::max(0.0F, linearP95[v] + above[v] - below[v]);
-    return linearP95;
+            pieces.push_back({sample, &reckoned.emplace_back(linearSample(linear, tolerances, sample->number))});
+    CorrectedP95 result{corrected(linearP95, pieces), std::nullopt};
+    if (pieces.size() < fewestToTell)
+        return result;
+    std::mt19937 dice(1); // the same pieces shall say the same
+    double squares = 0;
+    for (int k = 0; k < halvings; ++k) {
+        shuffle(pieces, dice);
+        const auto middle = pieces.begin() + std::ssize(pieces) / 2;
+        const double apart = rmsOf(corrected(linearP95, {pieces.begin(), middle})) -
+                             rmsOf(corrected(linearP95, {middle, pieces.end()}));
+        squares += apart * apart / halvings;
+    }
+    // Of a difference the variance is that of both halves. Student's quantile for 95 %, nearly.
+    const double student = 2 + 2.5 / (static_cast<double>(pieces.size()) / 2 - 1);
+    result.rmsError = student * std::sqrt(squares / 2);
+    return result;
 }
 
-std::optional<double> correctedRmsError(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
-                                        const Tolerances& tolerances, const std::vector<const SweepSample*>& solved)
+std::array<double, 2> shareOfMany(int count, int all)
 {
-    const std::size_t batches = std::min(mostBatches, solved.size() / fewestOfBatch);
-    if (batches < fewestBatches)
-        return std::nullopt;
-    Eigen::ArrayXd rms(static_cast<Eigen::Index>(batches));
-    for (std::size_t b = 0; b < batches; ++b) {
-        std::vector<const SweepSample*> batch;
-        for (std::size_t k = b; k < solved.size(); k += batches)
-            batch.push_back(solved[k]);
-        rms[static_cast<Eigen::Index>(b)] = rmsOf(correctedP95(linearP95, linear, tolerances, batch));
-    }
-    const double degrees = static_cast<double>(batches - 1);
-    return 2 * std::sqrt((rms - rms.mean()).square().sum() / degrees / static_cast<double>(batches));
+    constexpr double z = 1.96; // of the normal distribution, for 95 %
+    const double n = all, share = count / n, middle = (share + z * z / 2 / n) / (1 + z * z / n),
+                 half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / 4 / n / n);
+    return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
 }
 
 double rmsOf(const std::vector<float>& map)

@@ -5,6 +5,7 @@
 #include "SurfaceMesh.h"
 #include "Tolerances.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -66,15 +67,20 @@ private:
 std::vector<float> linearP95(const Eigen::MatrixXf& linear, const Tolerances& tolerances, int samples,
                              const std::stop_token& stop = {});
 std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
-/// `linearP95` of many pieces, put right by some that are solved: plus what these exceed linear covers of the same
-/// pieces by (a control variate), so that what is chance in the few does not count.
-std::vector<float> correctedP95(std::vector<float> linearP95, const Eigen::MatrixXf& linear,
-                                const Tolerances& tolerances, const std::vector<const SweepSample*>& solved);
-/// By how much solving more pieces may change the rms over the cover of `correctedP95`, mm: twice its standard
-/// error, by what batches of the solved pieces say by themselves. None where they are too few to tell.
-std::optional<double> correctedRmsError(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
-                                        const Tolerances& tolerances,
-                                        const std::vector<const SweepSample*>& solved);
+/// `linearP95` of many pieces, put right by some that are solved.
+struct CorrectedP95 {
+    std::vector<float> map; ///< mm, per vertex
+    /// How far its rms over the cover may be from that of many solved pieces, mm: by what halves of the solved ones say
+    /// by themselves. Of fewer than 16 that says nothing.
+    std::optional<double> rmsError;
+};
+/// Plus what the solved ones exceed linear covers of the same pieces by (a control variate), so that what is chance
+/// in the few does not count.
+CorrectedP95 correctedP95(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
+                          const Tolerances& tolerances, const std::vector<const SweepSample*>& solved);
+/// Between which shares that of many pieces lies, in 95 of 100 cases, when `count` of `all` were counted (Wilson's
+/// interval).
+std::array<double, 2> shareOfMany(int count, int all);
 /// Over all vertices.
 double rmsOf(const std::vector<float>& map);
 

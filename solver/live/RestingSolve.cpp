@@ -37,9 +37,14 @@ Message unrest(const Relaxation& solve, double diameter)
                     "Message", "After %1 iterations the surface still moves by %2 mm in each: it does not come to "
                                "rest. Lower the pressure, or make curves as long as the outlines they hold."),
                 {iterations, numberText(solve.movement() * diameter, 2)}};
+    constexpr double told = 0.1; // D: a longer way is a guess
+    if (solve.estimate() > told)
+        return {QT_TRANSLATE_NOOP("Message", "After %1 iterations it cannot be told yet where the surface comes to "
+                                             "rest. Allow more iterations."),
+                {iterations}};
     return {QT_TRANSLATE_NOOP("Message", "After %1 iterations the surface still moves by an estimated %2 mm. Allow "
                                          "more iterations."),
-            {iterations, numberText(std::min(solve.estimate(), 1.0) * diameter, 2)}};
+            {iterations, numberText(solve.estimate() * diameter, 2)}};
 }
 
 Problem flippedWarning(std::int64_t flipped, std::int64_t triangles)

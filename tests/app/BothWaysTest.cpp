@@ -775,6 +775,14 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     pressIn(*dialog, "Draw pieces");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found() && dialog->found()->whole; }, 240000));
     EXPECT_EQ(dialog->found()->solved, 10);
+    const SweepKnown before = dialog->found()->known;
+    for (auto* box : dialog->findChildren<NumberBox*>())
+        if (box->suffix().isEmpty())
+            box->setValue(20); // more of them go on from there
+    pressIn(*dialog, "Draw pieces");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found()->whole && dialog->found()->solved == 20; }, 240000));
+    EXPECT_EQ(dialog->found()->known.linear, before.linear);
+    EXPECT_EQ(dialog->found()->known.pieces.front(), before.pieces.front());
     ASSERT_TRUE(window.maps().map());
     EXPECT_TRUE(window.maps().map()->fits(*window.solver().surface()->topology));
     float most = 0;
@@ -797,7 +805,7 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
         if (box->suffix().isEmpty())
             box->setValue(10'000); // more than anybody waits for
     pressIn(*dialog, "Draw pieces");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found() && dialog->found()->resting > 0; }, 240000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found()->resting > 20; }, 240000));
     EXPECT_FALSE(dialog->found()->whole);
     pressIn(*dialog, "Stop");
     const auto says = [&](const QString& words) {
@@ -806,7 +814,10 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     };
     EXPECT_TRUE(says("Stopped."));
     EXPECT_TRUE(says("95 % of the pieces do not exceed")) << "what was solved until then counts";
-    EXPECT_TRUE(says("solved pieces. With many more of them the rms may differ by"));
+    EXPECT_TRUE(says("solved pieces. Many more of them would say another figure, within \u00b1."));
+    EXPECT_TRUE(says(" \u00b1 "));
+    ASSERT_TRUE(window.maps().map()->mark);
+    EXPECT_EQ(*window.maps().map()->mark, 3) << "the limit, on the scale";
     EXPECT_TRUE(window.maps().hasGuest());
     dialog->close();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.maps().hasGuest(); }, 5000));

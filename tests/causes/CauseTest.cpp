@@ -109,6 +109,22 @@ TEST_F(BoxTest, OfThePieceItselfSharesAreNumbers)
     }
 }
 
+/// Left and right are alike: what looks best is not much better than the next.
+TEST_F(BoxTest, OfTwoThingsAtOnceNoOneIsSure)
+{
+    Design built = s_input->design;
+    for (const char* piece : {"Left", "Right"})
+        built = withCause(built, s_finder->causes()[causeOf(s_finder->causes(), Cause::Kind::Stretch, piece)],
+                          Eigen::VectorXd::Constant(1, 4));
+    const Explanations found = explainBuilt(built);
+    ASSERT_GT(found.ranked.size(), 1u);
+    const Explanation &first = found.ranked[0], &second = found.ranked[1];
+    EXPECT_NEAR(first.share, second.share, 0.1);
+    EXPECT_LT(first.share, 0.75);
+    EXPECT_LT(first.probability, 0.9) << second.probability;
+    EXPECT_GT(second.probability, 0.05);
+}
+
 TEST_F(BoxTest, WhoStopsItGetsNothing)
 {
     std::stop_source stop;

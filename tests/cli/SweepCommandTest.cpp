@@ -77,7 +77,12 @@ TEST_F(SweepCommand, WritesFigures)
     const std::string csv = read("out/samples.csv");
     EXPECT_EQ(std::ranges::count(csv, '\n'), 51);
     EXPECT_TRUE(csv.starts_with("sample,rms_mm,p95_mm,max_mm,strain_p99,out\n0,"));
-    EXPECT_NE(run.out.find("of 50 pieces are out of limits"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("of 50 solved pieces are out of limits; of many, "), std::string::npos) << run.out;
+    EXPECT_LT(run.out.find("as if covers were linear"), run.out.find("by 50 solved pieces"));
+    const Json ofMany = report["solved"]["out_of_limits_of_many"];
+    const double out = report["solved"]["out_of_limits"].get<double>() / 50;
+    EXPECT_LT(ofMany[0], out);
+    EXPECT_GE(ofMany[1], out);
 }
 
 TEST_F(SweepCommand, GoesOnWhereItWas)
@@ -89,6 +94,28 @@ TEST_F(SweepCommand, GoesOnWhereItWas)
         ASSERT_TRUE(QFile::remove(path("again/" + QString(name))));
     ASSERT_EQ(sweep("again", {"--threads", "3"}).exitCode, 0);
     expectSame("whole", "again");
+}
+
+TEST_F(SweepCommand, TakesMoreSamplesAndOtherLimits)
+{
+    const auto samples = [&](const char* count, const QString& spec) {
+        return callCommandLine({"sweep", path("design.json"), "--spec", path(spec), "--samples", count, "--linear",
+                                "200", "--out", path("out")});
+    };
+    ASSERT_EQ(sweep("whole").exitCode, 0);
+    ASSERT_EQ(samples("30", "spec.json").exitCode, 0);
+    const std::string first = read("out/parts/000000.part");
+    ASSERT_EQ(samples("50", "spec.json").exitCode, 0);
+    EXPECT_EQ(read("out/parts/000000.part"), first);
+    expectSame("whole", "out");
+    const std::string last = read("out/parts/000002.part");
+    ASSERT_EQ(samples("45", "spec.json").exitCode, 0) << "fewer";
+    EXPECT_EQ(Json::parse(read("out/report.json"))["solved"]["samples"], 45);
+    write("wide.json",
+          R"({"tolerances": {"cut_mm": 1, "stiffness_percent": 10}, "limits": {"distance_mm": 50}, "seed": 3})");
+    ASSERT_EQ(samples("50", "wide.json").exitCode, 0);
+    EXPECT_EQ(Json::parse(read("out/report.json"))["solved"]["out_of_limits"], 0);
+    EXPECT_EQ(read("out/parts/000002.part"), last) << "nothing is solved again";
 }
 
 TEST_F(SweepCommand, MakesDamagedPartsAnew)
@@ -112,8 +139,10 @@ TEST_F(SweepCommand, MakesDamagedPartsAnew)
 TEST_F(SweepCommand, PartsOfSeveralMachinesAreTheSameAsInOneGo)
 {
     ASSERT_EQ(sweep("whole").exitCode, 0);
-    ASSERT_EQ(sweep("parts", {"--part", "1/2"}).exitCode, 0);
+    const ProgramRun run = sweep("parts", {"--part", "1/2"});
+    ASSERT_EQ(run.exitCode, 0);
     EXPECT_FALSE(QFile::exists(path("parts/report.json")));
+    EXPECT_NE(run.out.find("portions 1, 3 ... of 3 portions are solved"), std::string::npos) << run.out;
     EXPECT_FALSE(QFile::exists(path("parts/parts/000000.part"))) << "which is the other one's";
     EXPECT_TRUE(QFile::exists(path("parts/parts/000001.part")));
     ASSERT_EQ(sweep("parts", {"--part", "0/2", "--threads", "1"}).exitCode, 0);

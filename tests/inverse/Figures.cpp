@@ -254,7 +254,7 @@ void printSweeps(const std::vector<Real>& covers, const Amount& amount)
         const double linearTime = linearWatch.seconds();
         // Other pieces than those that it is compared with.
         const std::vector<SweepSample> others = sweep.solve(static_cast<std::uint64_t>(amount.samples), few);
-        const std::vector<float> corrected = correctedP95(linear, columns, tolerances, restingOf(others));
+        const std::vector<float> corrected = correctedP95(linear, columns, tolerances, restingOf(others)).map;
         const double correctedTime = linearWatch.seconds();
         const Stopwatch watch;
         const std::vector<SweepSample> samples = sweep.solve(0, amount.samples);

@@ -134,21 +134,72 @@ TEST(Sweep, SolvedPiecesCorrectLinearOnes)
         solved.push_back(linearSample(linear, tolerances, number));
     for (const SweepSample& sample : solved)
         all.push_back(&sample);
-    const std::vector<float> same = correctedP95(many, linear, tolerances, all);
+    const std::vector<float> same = correctedP95(many, linear, tolerances, all).map;
     for (std::size_t v = 0; v < many.size(); ++v)
         EXPECT_NEAR(same[v], many[v], 1e-5) << "as linear as they were thought to be";
     for (SweepSample& sample : solved)
         sample.outside[1] *= 1.5F;
-    const std::vector<float> corrected = correctedP95(many, linear, tolerances, all);
-    EXPECT_NEAR(corrected[0], many[0], 1e-5);
-    EXPECT_NEAR(corrected[1], 1.5 * many[1], 0.15) << "what 64 pieces leave to chance is half of it";
-    EXPECT_EQ(correctedP95(many, linear, tolerances, {}), many);
+    const CorrectedP95 corrected = correctedP95(many, linear, tolerances, all);
+    EXPECT_NEAR(corrected.map[0], many[0], 1e-5);
+    EXPECT_NEAR(corrected.map[1], 1.5 * many[1], 0.15) << "what 64 pieces leave to chance is half of it";
+    EXPECT_TRUE(corrected.rmsError);
+    EXPECT_EQ(correctedP95(many, linear, tolerances, {}).map, many);
+    EXPECT_FALSE(correctedP95(many, linear, tolerances, {all.begin(), all.begin() + 15}).rmsError);
+}
 
-    const std::optional<double> error = correctedRmsError(many, linear, tolerances, all);
-    ASSERT_TRUE(error);
-    EXPECT_GT(*error, 0.005) << "batches of few pieces differ";
-    EXPECT_LT(std::abs(rmsOf(corrected) - rmsOf({many[0], 1.5F * many[1], many[2]})), 2 * *error);
-    EXPECT_FALSE(correctedRmsError(many, linear, tolerances, {all.begin(), all.begin() + 15}));
+/// Covers that are far from linear, of several tolerances at several places.
+TEST(Sweep, SaysHowSureAFewSolvedPiecesAre)
+{
+    Tolerances tolerances;
+    Eigen::MatrixXf linear(8, 8);
+    for (int k = 0; k < 4; ++k) {
+        tolerances.all.push_back({{}, 1, std::string(1, static_cast<char>('a' + k))});
+        for (int v = 0; v < 8; ++v) {
+            linear(v, 2 * k) = static_cast<float>(std::cos(1 + 3 * k + v)) / static_cast<float>(1 + k);
+            linear(v, 2 * k + 1) = -linear(v, 2 * k);
+        }
+    }
+    const std::vector<float> reckoned = linearP95(linear, tolerances, 10'000);
+    const auto solvedFrom = [&](std::uint64_t first, std::uint64_t count) {
+        std::vector<SweepSample> pieces;
+        for (std::uint64_t number = first; number < first + count; ++number) {
+            pieces.push_back(linearSample(linear, tolerances, number));
+            for (float& value : pieces.back().outside)
+                value += 0.6F * value * std::abs(value); // cloth that comes free
+        }
+        return pieces;
+    };
+    const auto correctedBy = [&](const std::vector<SweepSample>& pieces) {
+        std::vector<const SweepSample*> all;
+        for (const SweepSample& piece : pieces)
+            all.push_back(&piece);
+        return correctedP95(reckoned, linear, tolerances, all);
+    };
+    const double truth = rmsOf(correctedBy(solvedFrom(0, 4000)).map);
+    for (const int count : {20, 60, 200}) {
+        constexpr int draws = 100;
+        int within = 0;
+        double errors = 0;
+        for (int draw = 0; draw < draws; ++draw) {
+            const CorrectedP95 corrected = correctedBy(
+                solvedFrom(10'000 + static_cast<std::uint64_t>(draw * count), static_cast<std::uint64_t>(count)));
+            ASSERT_TRUE(corrected.rmsError);
+            within += std::abs(rmsOf(corrected.map) - truth) <= *corrected.rmsError;
+            errors += *corrected.rmsError / draws;
+        }
+        EXPECT_GE(within, 85) << count;
+        EXPECT_LT(errors, 0.3 * truth) << count << ": it says something";
+    }
+}
+
+TEST(Sweep, SharesOfFewPiecesAreUnsure)
+{
+    const auto [least, most] = shareOfMany(13, 30); // Wilson 1927
+    EXPECT_NEAR(least, 0.274, 0.001);
+    EXPECT_NEAR(most, 0.608, 0.001);
+    EXPECT_EQ(shareOfMany(0, 30)[0], 0);
+    EXPECT_NEAR(shareOfMany(0, 30)[1], 0.1135, 0.001);
+    EXPECT_EQ(shareOfMany(30, 30)[1], 1);
 }
 
 TEST(Sweep, InfluencesAreSharesAndFindWhatMatters)

@@ -122,6 +122,7 @@ void MapLegend::paintEvent(QPaintEvent*)
         painter.drawText(text, Qt::AlignHCenter, QStringLiteral("0") + unit);
     } else {
         painter.drawText(text, Qt::AlignLeft, QStringLiteral("0") + unit);
+        markValue(painter, bar, text);
     }
     if (hasLimits()) {
         text.translate(0, line);
@@ -134,6 +135,20 @@ void MapLegend::paintEvent(QPaintEvent*)
         painter.drawText(text.adjusted(left - text.left() + 4, 0, 0, 0), Qt::AlignLeft,
                          tr("over the fabric's limit"));
     }
+}
+
+/// A line across the bar, and its number below where there is room between those at the ends.
+void MapLegend::markValue(QPainter& painter, const QRect& bar, const QRect& text) const
+{
+    if (!m_map->mark || *m_map->mark > m_map->limit)
+        return;
+    const double x = bar.left() + bar.width() * static_cast<double>(*m_map->mark / m_map->limit);
+    painter.fillRect(QRectF(x - 2, bar.top() - 3, 4, bar.height() + 6), palette().color(QPalette::Window));
+    painter.fillRect(QRectF(x - 1, bar.top() - 3, 2, bar.height() + 6), palette().color(QPalette::WindowText));
+    const QString figure = number(static_cast<double>(*m_map->mark));
+    const int half = fontMetrics().horizontalAdvance(figure) / 2, ends = 10 * fontMetrics().averageCharWidth();
+    if (x - half > text.left() + ends && x + half < text.right() - ends)
+        painter.drawText(QRectF(x - half, text.top(), 2 * half + 2, text.height()), Qt::AlignHCenter, figure);
 }
 
 } // namespace bolster

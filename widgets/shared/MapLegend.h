@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class QPainter;
+
 namespace bolster {
 
 /// A bar with numbers, in the corner of a view; hidden without a map.
@@ -32,6 +34,7 @@ protected:
 private:
     QString number(double value) const;
     int barWidth() const;
+    void markValue(QPainter& painter, const QRect& bar, const QRect& text) const;
     bool hasLimits() const { return m_map && !m_map->allowed.empty(); }
 
     ShownMapPtr m_map;

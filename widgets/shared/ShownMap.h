@@ -5,13 +5,16 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace bolster {
 
 struct ShownMap : VertexMap {
     QString title;
     QString below; ///< in words, what negative numbers mean
     QString above;
-    QString unit; ///< with the blank before it
+    QString unit;              ///< with the blank before it
+    std::optional<float> mark; ///< a value that matters, marked on the scale
 
     /// A round number that most of the values' sizes do not exceed.
     static float usualLimit(double size) { return MapScale::usualLimit(size); }

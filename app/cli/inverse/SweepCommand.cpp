@@ -33,7 +33,8 @@ were linear, then by solving N of them.
 Options:
   --spec FILE.json      what varies and by how much, and the limits (see the manual)
   --samples N           covers to solve; 0: only the linear figures
-  --out DIR             a folder of its own; a sweep that was ended goes on there
+  --out DIR             a folder of its own; a sweep that was ended goes on there, as
+                        does one with more samples or other limits
   --linear N            samples of the linear figures (10000)
   --threads N           use N threads (0: as many as the machine has)
   --part I/N            solves only every Nth portion of samples, from the Ith (0 to
@@ -179,7 +180,9 @@ public:
             if (!sample.outside.empty())
                 resting.push_back(&sample);
         m_maps.solved = solvedP95(resting);
-        m_maps.corrected = correctedP95(m_maps.linear, m_linear, m_spec.tolerances, resting);
+        CorrectedP95 corrected = correctedP95(m_maps.linear, m_linear, m_spec.tolerances, resting);
+        m_maps.corrected = std::move(corrected.map);
+        m_rmsError = corrected.rmsError;
         if (std::ssize(solved) != samples)
             return "samples are missing";
         if (m_sweep.unknown().size() == m_spec.tolerances.all.size() && resting.empty())
@@ -217,38 +220,44 @@ private:
             const auto known = [&](const MapFigures& figures) {
                 return resting.empty() ? Json() : asJson(figures);
             };
-            const std::optional<double> error =
-                correctedRmsError(m_maps.linear, m_linear, m_spec.tolerances, resting);
             report["corrected"] = {{"samples", resting.size()}, {"p95", known(corrected)}};
-            if (error)
-                report["corrected"]["p95"]["rms_error_mm"] = *error;
+            if (m_rmsError)
+                report["corrected"]["p95"]["rms_error_mm"] = *m_rmsError;
             report["solved"] = {{"samples", solved.size()},
                                 {"without_cover", solved.size() - resting.size()},
                                 {"out_of_limits", out},
                                 {"p95", known(found)}};
+            if (!resting.empty())
+                report["solved"]["out_of_limits_of_many"] =
+                    shareOfMany(static_cast<int>(out), static_cast<int>(resting.size()));
             if (resting.size() < solved.size())
                 printError("warning: " + std::to_string(solved.size() - resting.size()) +
                            " samples have no cover at rest");
             if (!resting.empty())
-                printSolved(solved.size(), out, found, corrected, error);
+                printSolved(resting.size(), out, found, corrected);
         }
         report["influence"] = influence();
         return report;
     }
 
-    void printSolved(std::size_t count, std::ptrdiff_t out, const MapFigures& found, const MapFigures& corrected,
-                     std::optional<double> error) const
+    /// `count` of them rest.
+    void printSolved(std::size_t count, std::ptrdiff_t out, const MapFigures& found,
+                     const MapFigures& corrected) const
     {
         constexpr std::size_t few = 20; // the worst one is what 95 % do not exceed
-        printResult((count < few ? "solved, the worst of " + counted(static_cast<std::ptrdiff_t>(count), "piece")
-                                 : "solved") +
-                    ": " + numberText(found.rms, 3) + " mm, " + numberText(found.most, 3) + " mm" +
-                    (m_spec.limitDistance || m_spec.limitStrain
-                         ? "; " + std::to_string(out) + " of " + std::to_string(count) + " pieces are out of limits"
-                         : std::string()));
-        printResult("linear, corrected by what these have more: " + numberText(corrected.rms, 3) + " mm" +
-                    (error ? " (+-" + numberText(*error, 2) + ")" : std::string()) + ", " +
+        const std::string pieces = counted(static_cast<std::ptrdiff_t>(count), "solved piece");
+        printResult((count < few ? "the worst of " : "by ") + pieces + " alone: " + numberText(found.rms, 3) +
+                    " mm, " + numberText(found.most, 3) + " mm");
+        printResult("by the linear ones, put right by what the solved ones have more than the same in linear: " +
+                    numberText(corrected.rms, 3) +
+                    (m_rmsError ? " +-" + numberText(*m_rmsError, 2) : std::string()) + " mm, " +
                     numberText(corrected.most, 3) + " mm");
+        if (m_spec.limitDistance || m_spec.limitStrain) {
+            const auto [least, most] = shareOfMany(static_cast<int>(out), static_cast<int>(count));
+            printResult(std::to_string(out) + " of " + pieces + " are out of limits; of many, " +
+                        numberText(std::round(100 * least), 3) + " to " + numberText(std::round(100 * most), 3) +
+                        " %");
+        }
     }
 
     Json influence()
@@ -290,6 +299,7 @@ private:
     std::stop_token m_stop;
     Eigen::MatrixXf m_linear;
     Maps m_maps;
+    std::optional<double> m_rmsError; ///< mm
 };
 
 /// What every job does.
@@ -325,9 +335,7 @@ int sweep(std::span<const std::string> words)
     sayOfPulls(opened.design);
     const SweepSpec spec = readSweepSpec(arguments.path("--spec"), opened.design);
     SweepFolder folder(arguments.path("--out"),
-                       writeDesign(opened.design) + meshesAsText(opened.files) +
-                           readWholeFile(arguments.path("--spec"), 1 << 20).bytes + std::to_string(samples),
-                       samples);
+                       writeDesign(opened.design) + meshesAsText(opened.files) + spec.drawn, samples);
     const auto fail = [](const std::string& problem) {
         printError("error: " + problem);
         return otherFailure;
@@ -338,6 +346,9 @@ int sweep(std::span<const std::string> words)
                 interrupt.token());
     if (!sweep.nominal())
         return fail(sweep.problem().empty() ? "interrupted" : sweep.problem().english());
+    std::optional<Figures> figures;
+    if (!arguments.has("--part"))
+        figures.emplace(sweep, spec, linear, interrupt.token());
     std::string problem;
     if (arguments.has("--slurm")) {
         const std::size_t vertices = sweep.nominal()->positions.size();
@@ -355,13 +366,17 @@ int sweep(std::span<const std::string> words)
     }
     if (!problem.empty())
         return fail(problem);
-    if (arguments.has("--part"))
+    if (!figures) {
+        printResult("portions " + std::to_string(share.which) + ", " + std::to_string(share.which + share.of) +
+                    " ... of " + counted(folder.parts(), "portion") + " are solved, of " +
+                    std::to_string(SweepFolder::samplesOfPart) +
+                    " samples each. When all are: the same command without --part writes the figures");
         return done;
-    Figures figures(sweep, spec, linear, interrupt.token());
+    }
     if (interrupt.token().stop_requested())
         return fail("interrupted");
     interrupt.beginWriting();
-    problem = figures.write(folder, samples);
+    problem = figures->write(folder, samples);
     return problem.empty() ? done : fail(problem);
 }
 

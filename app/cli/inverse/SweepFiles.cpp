@@ -171,6 +171,8 @@ SweepSpec readSweepSpec(const QString& path, const Design& design)
             refuse(key, "unknown; tolerances, distribution, seed and limits are known");
         }
     }
+    spec.erase("limits");
+    result.drawn = spec.dump();
     return result;
 }
 
@@ -214,15 +216,16 @@ Message SweepFolder::write(int part, const std::vector<SweepSample>& samples) co
 
 std::vector<SweepSample> SweepFolder::read(int part, std::size_t vertices) const
 {
-    const auto count = static_cast<std::size_t>(countOf(part));
-    const std::size_t most = magic.size() + 8 + count * (sampleHead + 4 * vertices) + hashSize;
+    const std::size_t most = magic.size() + 8 + samplesOfPart * (sampleHead + 4 * vertices) + hashSize;
     const std::string bytes = readWholeFile(partFile(part), static_cast<std::int64_t>(most)).bytes;
     if (bytes.size() < magic.size() + 8 + hashSize || !bytes.starts_with(magic) ||
         jobHash(bytes.substr(0, bytes.size() - hashSize)).toStdString() != bytes.substr(bytes.size() - hashSize))
         return {};
     const char* at = bytes.data() + magic.size();
     const char* const end = bytes.data() + bytes.size() - hashSize;
-    if (take<std::uint64_t>(at) != count)
+    // Of a sweep with more samples it has more.
+    const auto count = static_cast<std::size_t>(countOf(part));
+    if (take<std::uint64_t>(at) < count)
         return {};
     std::vector<SweepSample> samples(count);
     for (std::size_t k = 0; k < count; ++k) {

@@ -15,6 +15,7 @@ struct SweepSpec {
     Tolerances tolerances;
     std::optional<double> limitDistance; ///< mm: of what 95 % of a cover do not exceed
     std::optional<double> limitStrain;   ///< 1: of what 99 % of it do not exceed
+    std::string drawn;                   ///< everything of it that samples follow from, as text
 };
 
 /// docs/command-line.md has the keys. Throws UsageError, with the place.
@@ -25,7 +26,8 @@ class SweepFolder {
 public:
     static constexpr int samplesOfPart = 20;
 
-    /// `asked`: design and spec as text; another one than that of the files that are there already is a problem.
+    /// `asked`: what each sample follows from; another one than that of the files that are there already is a
+    /// problem. Of another number of `samples` those that are there count.
     SweepFolder(const QString& path, const std::string& asked, int samples);
 
     /// Makes the folder, or says why not.

@@ -230,15 +230,22 @@ Explanation explanationOf(const Candidate& candidate, const Cause& cause)
     return explanation;
 }
 
-/// One cause or none, each as likely beforehand.
-void addProbabilities(Explanations& result)
+/// One cause or none, each as likely beforehand. What the best one leaves beyond noise is something else, smooth,
+/// which has as many independent places as the fewest: of several things at once no one is sure because it explains
+/// a little more than the next.
+void addProbabilities(Explanations& result, double places)
 {
+    const double left = result.ranked.empty() ? 0 : result.rms * result.rms * (1 - result.ranked.front().share);
+    const double beyond = std::max(0.0, left / (result.noise * result.noise) - 1);
+    const double louder = 1 + beyond * places / fewestPlaces; // than noise, in mean squares
     double most = 0, sum = 0;
     for (const Explanation& one : result.ranked)
         most = std::max(most, one.evidence);
-    for (Explanation& one : result.ranked)
-        sum += one.probability = std::exp(one.evidence - most);
-    result.none = std::exp(-most);
+    for (Explanation& one : result.ranked) {
+        sum += one.probability = std::exp((one.evidence - most) / louder);
+        one.spreads *= std::sqrt(louder);
+    }
+    result.none = std::exp(-most / louder);
     sum += result.none;
     result.none /= sum;
     for (Explanation& one : result.ranked)
@@ -302,7 +309,7 @@ Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
         result.ranked.push_back(explanationOf(candidates[k], m_causes[candidates[k].cause]));
         result.ranked.back().alike = std::move(alike[k]);
     }
-    addProbabilities(result);
+    addProbabilities(result, measured.places);
     return result;
 }
 
