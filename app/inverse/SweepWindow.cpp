@@ -143,8 +143,9 @@ void SweepWindow::build()
     m_shown->setChecked(true);
     m_shown->setEnabled(false);
     connect(m_shown, &QCheckBox::toggled, this, &SweepWindow::showMap);
-    m_list = new HeadedList({tr("Tolerance"), tr("Share of the variance"), tr("Moves by at most")}, 0, this);
+    m_list = new HeadedList({tr("Tolerance"), tr("Share"), tr("Moves by at most")}, 0, this);
     m_list->setAccessibleName(tr("Tolerances by their influence"));
+    m_list->headerItem()->setToolTip(1, tr("How much of the variance of the whole cover comes of it"));
     connect(m_list, &QTreeWidget::currentItemChanged, this, &SweepWindow::rowChosen);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -302,7 +303,7 @@ void SweepWindow::say(const QString& lead)
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
     if (m_found->error)
-        lines.back() += " " + tr("Many more of them would say another figure, within \u00b1.");
+        lines.back() += " " + tr("\u00b1 is what many more of them may change.");
     const std::vector<std::size_t>& unknown = m_found->known.linear->unknown;
     if (!unknown.empty())
         lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them "
@@ -345,8 +346,9 @@ void SweepWindow::fill()
     const QSignalBlocker quiet(m_list); // the first row is not yet chosen
     for (const std::size_t k : order) {
         auto* row =
-            new QTreeWidgetItem(m_list, {m_titles[k], percentText(std::round(1000 * m_found->influence[k]) / 1000),
-                                         lengthText(m_found->mostMoved[k], 2)});
+            new QTreeWidgetItem(
+            m_list, {m_titles[k], tr("%1 %").arg(decimalText(100 * m_found->influence[k], 1, true)),
+                     steadyLengthText(m_found->mostMoved[k], 2)});
         row->setData(0, Qt::UserRole, number(m_tolerances.all[k].freedoms.front().element));
         row->setToolTip(0, m_titles[k]);
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);

@@ -814,7 +814,7 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     };
     EXPECT_TRUE(says("Stopped."));
     EXPECT_TRUE(says("95 % of the pieces do not exceed")) << "what was solved until then counts";
-    EXPECT_TRUE(says("solved pieces. Many more of them would say another figure, within \u00b1."));
+    EXPECT_TRUE(says("solved pieces. \u00b1 is what many more of them may change."));
     EXPECT_TRUE(says(" \u00b1 "));
     ASSERT_TRUE(window.maps().map()->mark);
     EXPECT_EQ(*window.maps().map()->mark, 3) << "the limit, on the scale";
