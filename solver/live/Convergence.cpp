@@ -16,17 +16,18 @@ constexpr int enough = 3; // in a row
 constexpr double mixedShare = 3.0 / 10;
 constexpr int stage = 200; // iterations between two looks for a stall
 constexpr int plainIterations = 100;
+constexpr double leading = 0.5; // of the path: so far from where it began
 constexpr int fitSteps = 10;
 constexpr double fitChange = 1e-3;
 
 } // namespace
 
-bool Convergence::add(double move, double left)
+bool Convergence::add(double move, double left, const Way& way)
 {
     m_mixedInARow = mixedShare * left * move < m_tolerance ? m_mixedInARow + 1 : 0;
     if (m_mixedInARow >= enough)
         return true;
-    watchForStall(move);
+    watchForStall(move, way);
     m_moves.push_back(move);
     if (m_moves.size() > 2 * window)
         m_moves.pop_front();
@@ -65,18 +66,22 @@ bool FitConvergence::add(double misfit)
     return newer > 0 && std::abs(newer - older) < fitChange * newer;
 }
 
-/// Compares the largest moves of successive stages.
-void Convergence::watchForStall(double move)
+/// Compares the largest moves of successive stages. Momentum that gathers speed along a way that hardly anything
+/// resists is no stall.
+void Convergence::watchForStall(double move, const Way& way)
 {
     if (m_plainLeft > 0)
         --m_plainLeft;
     m_largestOfStage = std::max(m_largestOfStage, move);
+    m_pathOfStage += move;
     if (++m_count % stage != 0)
         return;
-    if (m_count > stage && m_largestOfStage > 0.8 * m_largestBefore)
+    const bool leads = (way ? way() : 0) > leading * m_pathOfStage;
+    if (m_count > stage && m_largestOfStage > 0.8 * m_largestBefore && !leads)
         m_plainLeft = plainIterations;
     m_largestBefore = m_largestOfStage;
     m_largestOfStage = 0;
+    m_pathOfStage = 0;
 }
 
 } // namespace bolster

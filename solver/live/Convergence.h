@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <limits>
 
 namespace bolster {
@@ -14,17 +15,20 @@ public:
         : m_tolerance(tolerance)
     {}
 
-    /// `move` of one more iteration, relative to D, and how much is left as mixing sees it, in moves. Returns
-    /// whether the iteration has converged.
-    bool add(double move, double left = std::numeric_limits<double>::infinity());
+    /// How far the surface is from where it was when this was asked last, relative to D.
+    using Way = std::function<double()>;
+
+    /// `move` of one more iteration, relative to D, and how much is left as mixing sees it, in moves. Without `way`
+    /// it is taken to stay where it is. Returns whether the iteration has converged.
+    bool add(double move, double left = std::numeric_limits<double>::infinity(), const Way& way = {});
     /// The moves so far: those of another kind of iteration say nothing of how fast the next ones shrink.
     void forget();
     double estimate() const { return m_estimate; }
-    /// The moves have not become smaller for long; stays true for some iterations.
+    /// The moves have not become smaller for long, and lead nowhere; stays true for some iterations.
     bool stalled() const { return m_plainLeft > 0; }
 
 private:
-    void watchForStall(double move);
+    void watchForStall(double move, const Way& way);
 
     double m_tolerance;
     double m_estimate = 1;
@@ -33,6 +37,7 @@ private:
     int m_count = 0;
     double m_largestOfStage = 0;
     double m_largestBefore = 0;
+    double m_pathOfStage = 0;
     int m_plainLeft = 0;
     std::deque<double> m_moves;
 };

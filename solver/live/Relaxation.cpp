@@ -117,7 +117,8 @@ void Relaxation::iterate()
     }
     m_movement = *move;
     ++m_iterations;
-    const bool atRest = m_convergence.add(m_movement, m_optimizer.left());
+    const bool atRest =
+        m_convergence.add(m_movement, m_optimizer.left(), [this] { return m_optimizer.wayFromMark(); });
     if (!m_fitting && hasFits()) {
         if (atRest)
             beginFit();

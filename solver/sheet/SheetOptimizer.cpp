@@ -212,6 +212,16 @@ SheetState SheetOptimizer::state() const
             (m_ahead.frames + m_back.frames.cast<double>()).colwise().normalized()};
 }
 
+double SheetOptimizer::wayFromMark()
+{
+    Columns now = m_ahead.positions + m_back.positions.cast<double>();
+    double farthest = 0;
+    for (int u = 0; u < m_mesh.freeCount && m_mark.cols() == now.cols(); ++u)
+        farthest = std::max(farthest, m_scale[u] * (now.col(u) - m_mark.col(u)).squaredNorm());
+    m_mark = std::move(now);
+    return std::sqrt(farthest);
+}
+
 void SheetOptimizer::report(SolveReport& report) const
 {
     const Columns positions = m_ahead.positions + m_back.positions.cast<double>();

@@ -69,6 +69,9 @@ public:
     std::optional<double> iterate();
 
     SheetState state() const;
+    /// How far the vertex that went farthest is from where it was when this was asked last, relative to D; 0 at
+    /// first.
+    double wayFromMark();
     const SewnMesh& mesh() const { return m_mesh; }
 
 private:
@@ -107,6 +110,7 @@ private:
     SheetRings m_rings;
     SheetResults m_results;
     std::vector<Vec2> m_factored; // the rest shape that is in the matrices
+    Columns m_mark;               // positions, see wayFromMark()
     double m_distortion = 1;      // of the present one against it
     int m_factorings = 0;
     std::vector<int> m_partOf;           // per vertex

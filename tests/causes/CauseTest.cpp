@@ -188,6 +188,23 @@ TEST(Causes, ASlippedOutlineKeepsItsShape)
     }
 }
 
+/// A field that one cause explains only with an amount that nobody makes, and another one nearly as well with a
+/// usual one.
+TEST(Causes, AmountsArePlausible)
+{
+    constexpr Eigen::Index rows = 200;
+    CauseColumns columns{.field = Eigen::VectorXd::LinSpaced(rows, 1, 2), .up = {}, .down = {}, .first = {0, 1, 2}};
+    columns.up.resize(rows, 2);
+    columns.up.col(0) = columns.field / 30;
+    columns.up.col(1) = columns.field + Eigen::VectorXd::LinSpaced(rows, 0, 30).array().sin().matrix() * 0.3;
+    columns.down = -columns.up;
+    const CauseEvidence evidence(columns, rows, 0.05);
+    EXPECT_EQ(evidence.fit(0).numbers[0], 6);
+    EXPECT_NEAR((evidence.fit(0).reached - columns.field / 5).norm(), 0, 1e-9);
+    EXPECT_NEAR(evidence.fit(1).numbers[0], 1, 0.1);
+    EXPECT_GT(evidence.fit(1).evidence, evidence.fit(0).evidence);
+}
+
 TEST(Causes, EvidenceCountsAgainstCausesThatCouldBeAnything)
 {
     // The field is twice the first column; the second cause could make it, too, among much else.

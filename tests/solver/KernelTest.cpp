@@ -353,6 +353,15 @@ TEST(Convergence, DoesNotCompareMovesOfUnlikeIterations)
         EXPECT_FALSE(circling.add(1e-6)) << i; // small, and hardly becoming smaller
 }
 
+TEST(Convergence, DriftingIsNoCircling)
+{
+    Convergence drifting(1e-9);
+    for (int i = 0; i < 2000; ++i) {
+        drifting.add(1e-6, std::numeric_limits<double>::infinity(), [] { return 200 * 1e-6; });
+        EXPECT_FALSE(drifting.stalled()) << i;
+    }
+}
+
 TEST(Convergence, NoticesCircling)
 {
     Convergence circling(1e-5);

@@ -11,6 +11,7 @@ namespace bolster {
 namespace {
 
 constexpr int signRounds = 4;
+constexpr double mostDeviations = 6; // standard ones, of a number
 constexpr int noiseRounds = 6;
 constexpr double leastFreePlaces = 0.25;   // of them: so much noise is seen at least
 constexpr Eigen::Index columnsAtOnce = 32; // between two looks at whether it is to stop
@@ -51,7 +52,18 @@ CauseEvidence::CauseEvidence(CauseColumns columns, double places, double leastNo
 CauseFit CauseEvidence::fit(int cause) const
 {
     const Eigen::Index first = m_columns.first[cause];
-    return fitOf(first, m_columns.first[cause + 1] - first);
+    CauseFit fit = fitOf(first, m_columns.first[cause + 1] - first);
+    if (const Eigen::VectorXd numbers = plausible(fit.numbers); numbers != fit.numbers) {
+        fit.numbers = numbers;
+        fit.reached = columnsAt(first, numbers) * numbers;
+        fit.evidence = evidence(fit, numbers, m_columns.field - fit.reached);
+    }
+    return fit;
+}
+
+Eigen::VectorXd CauseEvidence::plausible(const Eigen::VectorXd& numbers)
+{
+    return numbers.cwiseMax(-mostDeviations).cwiseMin(mostDeviations);
 }
 
 /// Once: fits differ only in which sides they take, and by the noise.

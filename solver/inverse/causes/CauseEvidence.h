@@ -34,7 +34,10 @@ public:
 
     double noise() const { return m_noise; }
     const CauseColumns& columns() const { return m_columns; }
+    /// No number is larger than is plausible.
     CauseFit fit(int cause) const;
+    /// Numbers with at most six standard deviations: three times what is expected at most.
+    static Eigen::VectorXd plausible(const Eigen::VectorXd& numbers);
     /// Of numbers that are known to reach only so far: with covers, instead of columns.
     double evidence(const CauseFit& fit, const Eigen::VectorXd& numbers, const Eigen::VectorXd& remains) const;
     /// Where the numbers should go when so much remains of the field.

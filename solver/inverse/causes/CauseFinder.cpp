@@ -123,7 +123,7 @@ private:
             return tried;
         const Eigen::VectorXd step =
             m_evidence.step(static_cast<int>(candidate.cause), candidate.fit, candidate.numbers, candidate.remains);
-        Eigen::VectorXd there = rounded(candidate.cause, candidate.numbers + step);
+        Eigen::VectorXd there = rounded(candidate.cause, CauseEvidence::plausible(candidate.numbers + step));
         for (Eigen::Index k = 0; k < there.size(); ++k) {
             const Tolerance& tolerance = m_causes[candidate.cause].numbers[static_cast<std::size_t>(k)];
             if (tolerance.whole && there[k] == tried[k]) // the whole number on the other side
