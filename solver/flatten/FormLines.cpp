@@ -116,6 +116,12 @@ std::string placeText(const Vec3& at)
     return text.append(numberText(at.z(), 4)).append(")");
 }
 
+/// About where a line lies.
+std::string middleOf(const FormLine& line)
+{
+    return placeText(line.points[line.points.size() / 2]);
+}
+
 class LineCutter {
 public:
     LineCutter(const TriangleSoup& form, const FormCuts& cuts, double apart, const std::stop_token& stop)
@@ -124,9 +130,16 @@ public:
         , m_spacing(apart)
         , m_whole(m_form.build(m_soup, {}, stop))
         , m_tree(trianglesOf(m_soup), stop)
-    {}
+    {
+        if (m_whole && !stop.stop_requested())
+            std::ranges::copy_if(m_cuts.lines, std::back_inserter(m_lines), [&](const FormLine& line) {
+                return line.points.size() > 1 && whyRefused(line).empty();
+            });
+    }
 
     bool whole() const { return m_whole; }
+    const Vec3& notWholeAt() const { return m_form.refusedAt(); }
+    const FormLine& lastLine() const { return m_lastLine; }
     const TriangleSoup& soup() const { return m_soup; }
     const std::vector<Message>& notes() const { return m_notes; }
     /// As it was when some lines had been cut.
@@ -136,41 +149,32 @@ public:
         m_notes = notes;
     }
 
-    void cut(const FormLine& line, const std::vector<FormLine>& all, const std::stop_token& stop)
+    void cut(const FormLine& line, const std::stop_token& stop)
     {
-        double length = 0;
-        for (std::size_t k = 1; k < line.points.size(); ++k)
-            length += (line.points[k] - line.points[k - 1]).norm();
-        if (!(length > shortest && length < longest)) {
-            m_notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 has no length: it is not cut along it"), {line.name}});
+        m_lastLine = line;
+        if (Message why = whyRefused(line); !why.empty()) {
+            m_notes.push_back(std::move(why));
             return;
         }
-        if (const double away = distanceOf(line); away > farthest) {
-            m_notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 is %2 mm away from the form: it is not cut along it"),
-                 {line.name, numberText(away, 2)}});
-            return;
-        }
-        for (const FormLine& earlier : all)
-            if (&earlier == &line || earlier == line)
+        for (const FormLine& earlier : m_lines)
+            if (earlier == line)
                 break;
             else if (runsAlong(line, earlier)) {
-                m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2: it is cut there once"),
-                                   {line.name, earlier.name}});
+                m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2, at %3: it is cut there once"),
+                                   {line.name, earlier.name, middleOf(line)}});
                 return;
             }
-        const std::vector<FormLine> parts = awayFromBorder(comesBack(line, length) ? closed(line) : line);
+        const std::vector<FormLine> parts = awayFromBorder(comesBack(line) ? closed(line) : line);
         if (parts.empty())
             m_notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form, or where it is cut anyway: "
-                                              "there is nothing to cut"),
-                 {line.name}});
+                {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form, or where it is cut anyway, "
+                                              "at %2: there is nothing to cut"),
+                 {line.name, middleOf(line)}});
         for (const FormLine& part : parts)
-            cutNow(part, all, stop);
+            cutNow(part, stop);
     }
 
-    LinedTriangles result(const std::vector<FormLine>& lines)
+    LinedTriangles result()
     {
         m_form.build(m_soup, {});
         m_form.pruneSpurs();
@@ -196,15 +200,35 @@ public:
                 result.cuts.insert({std::min(a, b), std::max(a, b)});
             }
         for (const Vertex v : m_form.looseEnds())
-            result.notes.push_back(looseEnd(fromCgal(m_form.mesh.point(v)), lines));
+            result.notes.push_back(looseEnd(fromCgal(m_form.mesh.point(v))));
         return result;
     }
 
 private:
-    /// Whether it would go on from its end to its own beginning.
-    static bool comesBack(const FormLine& line, double length)
+    static double lengthOf(const FormLine& line)
     {
-        return !line.closed && line.points.size() > 3 && length > leastLoop &&
+        double length = 0;
+        for (std::size_t k = 1; k < line.points.size(); ++k)
+            length += (line.points[k] - line.points[k - 1]).norm();
+        return length;
+    }
+
+    /// Empty where it may be cut along it.
+    Message whyRefused(const FormLine& line) const
+    {
+        if (const double length = lengthOf(line); !(length > shortest && length < longest))
+            return {QT_TRANSLATE_NOOP("Message", "%1 has no length, at %2: it is not cut along it"),
+                    {line.name, middleOf(line)}};
+        if (const auto [away, at] = distanceOf(line); away > farthest)
+            return {QT_TRANSLATE_NOOP("Message", "%1 is %2 mm away from the form, at %3: it is not cut along it"),
+                    {line.name, numberText(away, 2), placeText(at)}};
+        return {};
+    }
+
+    /// Whether it would go on from its end to its own beginning.
+    static bool comesBack(const FormLine& line)
+    {
+        return !line.closed && line.points.size() > 3 && lengthOf(line) > leastLoop &&
                (line.points.front() - line.points.back()).norm() < reach;
     }
 
@@ -236,9 +260,9 @@ private:
                 {line.name, placeText(selfCrossing(form).value_or(line.points.front()))}};
     }
 
-    void cutNow(const FormLine& line, const std::vector<FormLine>& all, const std::stop_token& stop)
+    void cutNow(const FormLine& line, const std::stop_token& stop)
     {
-        CgalMesh strip = ribbonAlong(line, all);
+        CgalMesh strip = ribbonAlong(line);
         LinedMesh near;
         // Where sheets touch in a point when they are taken alone, all of it is.
         if (!near.build(m_soup, trianglesNear(m_soup, strip)))
@@ -275,13 +299,13 @@ private:
         return {at, Face(triangle)}; // the mesh has been made of all triangles, in their order
     }
 
-    /// Of most of its places, mm.
-    double distanceOf(const FormLine& line) const
+    /// Of most of its places, mm, and such a place.
+    std::pair<double, Vec3> distanceOf(const FormLine& line) const
     {
-        std::vector<double> distances;
+        std::vector<std::pair<double, Vec3>> distances;
         for (const Vec3& place : line.points)
-            distances.push_back((m_tree.nearestTo(place).at - place).norm());
-        std::ranges::sort(distances);
+            distances.emplace_back((m_tree.nearestTo(place).at - place).norm(), place);
+        std::ranges::stable_sort(distances, {}, [](const auto& distance) { return distance.first; });
         return distances[distances.size() / 2];
     }
 
@@ -343,10 +367,8 @@ private:
             for (const auto half : m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v))) {
                 if (!isCutAnyway(m_form.mesh.edge(half)))
                     continue;
-                const Vec3 from = fromCgal(m_form.mesh.point(m_form.mesh.source(half)));
-                const Vec3 way = fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - from;
-                const double share = way.squaredNorm() > 0 ? (at - from).dot(way) / way.squaredNorm() : 0;
-                const Vec3 place = from + std::clamp(share, 0.0, 1.0) * way;
+                const auto [from, to] = endsOf(m_form.mesh.edge(half));
+                const Vec3 place = nearestOn(at, from, to);
                 if (!found || (place - at).norm() < (*found - at).norm())
                     found = place;
             }
@@ -430,35 +452,83 @@ private:
         return {starts, ends};
     }
 
+    /// What a line that ends on the form may go on to: the nearest place of a border, of where it is cut anyway, or
+    /// of another line, within reach.
+    struct Nearby {
+        double distance = reach;   ///< mm; within reach: of any
+        std::optional<Vec3> ahead; ///< the nearest one that is not beside or behind
+    };
+
+    Nearby nearby(const Vec3& end, const Vec3& direction, const FormLine& line) const
+    {
+        Nearby found;
+        double nearest = reach;
+        const auto look = [&](const Vec3& place) {
+            constexpr double mostAside = 0.25; // cosine of the angle by which it turns at most
+            const double distance = (place - end).norm();
+            found.distance = std::min(found.distance, distance);
+            if (distance < nearest && (place - end).dot(direction) > mostAside * distance) {
+                nearest = distance;
+                found.ahead = place;
+            }
+        };
+        for (const FormEdge e : m_form.mesh.edges())
+            if (const auto [a, b] = endsOf(e); distanceTo(end, a, b) < reach && isCutAnyway(e))
+                look(nearestOn(end, a, b));
+        for (const FormLine& other : m_lines)
+            if (!(other == line))
+                for (const Vec3& place : evenly(other, spacing / 2))
+                    if ((place - end).norm() < reach + farthest) // both as they lie on the form
+                        look(m_tree.nearestTo(place).at);
+        return found;
+    }
+
+    std::pair<Vec3, Vec3> endsOf(FormEdge e) const
+    {
+        return {fromCgal(m_form.mesh.point(m_form.mesh.vertex(e, 0))),
+                fromCgal(m_form.mesh.point(m_form.mesh.vertex(e, 1)))};
+    }
+
+    static Vec3 nearestOn(const Vec3& at, const Vec3& from, const Vec3& to)
+    {
+        const Vec3 way = to - from;
+        const double share = way.squaredNorm() > 0 ? (at - from).dot(way) / way.squaredNorm() : 0;
+        return from + std::clamp(share, 0.0, 1.0) * way;
+    }
+
+    static double distanceTo(const Vec3& at, const Vec3& from, const Vec3& to)
+    {
+        return (nearestOn(at, from, to) - at).norm();
+    }
+
+    /// One place more behind the end of a line, on what is near, or where nothing is a little farther.
+    Vec3 goneOn(const Vec3& end, const Vec3& before, const FormLine& line) const
+    {
+        const Vec3 straight = (end - before).normalized(), on = m_tree.nearestTo(end).at;
+        const Nearby near = nearby(on, straight, line);
+        if (near.ahead && (*near.ahead - on).norm() > overshoot)
+            return *near.ahead + overshoot * (*near.ahead - on).normalized();
+        return end + (near.distance < reach ? near.distance + overshoot : overshoot) * straight;
+    }
+
     /// On to a border or another line that is near, where it is not outside of the border.
-    void prolong(std::vector<Vec3>& places, const FormLine& line, const std::vector<FormLine>& all) const
+    void prolong(std::vector<Vec3>& places, const FormLine& line) const
     {
         const auto [starts, ends] = trim(places, line);
         if (line.closed || places.size() < 2)
             return;
-        const auto missing = [&](const Vec3& end) {
-            double nearest = reach;
-            for (const auto half : m_form.mesh.halfedges())
-                if (isCutAnyway(m_form.mesh.edge(half)))
-                    nearest =
-                        std::min(nearest, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - end).norm());
-            for (const FormLine& other : all)
-                if (!(other == line))
-                    for (const Vec3& place : evenly(other, spacing))
-                        nearest = std::min(nearest, (place - end).norm());
-            return nearest < reach ? nearest + overshoot : overshoot;
-        };
-        const Vec3 first = places.front() - places[1], last = places.back() - places[places.size() - 2];
+        const Vec3 first = goneOn(places.front(), places[1], line);
+        const Vec3 last = goneOn(places.back(), places[places.size() - 2], line);
         if (!starts)
-            places.insert(places.begin(), places.front() + missing(places.front()) * first.normalized());
+            places.insert(places.begin(), first);
         if (!ends)
-            places.push_back(places.back() + missing(places.back()) * last.normalized());
+            places.push_back(last);
     }
 
-    CgalMesh ribbonAlong(const FormLine& line, const std::vector<FormLine>& all) const
+    CgalMesh ribbonAlong(const FormLine& line) const
     {
         std::vector<Vec3> places = evenly(line, m_spacing);
-        prolong(places, line, all);
+        prolong(places, line);
         std::vector<LinePlace> on;
         for (const Vec3& place : places)
             on.push_back(placeOf(place));
@@ -487,23 +557,25 @@ private:
         return strip;
     }
 
-    Message looseEnd(const Vec3& at, const std::vector<FormLine>& lines) const
+    Message looseEnd(const Vec3& at) const
     {
         double nearest = std::numeric_limits<double>::infinity();
         std::string name;
-        for (const FormLine& line : lines)
+        for (const FormLine& line : m_lines)
             for (const Vec3& place : evenly(line, spacing))
                 if (const double distance = (place - at).norm(); distance < nearest) {
                     nearest = distance;
                     name = line.name;
                 }
         double border = std::numeric_limits<double>::infinity();
-        for (const auto half : m_form.mesh.halfedges())
-            if (m_form.mesh.is_border(half))
-                border = std::min(border, (fromCgal(m_form.mesh.point(m_form.mesh.target(half))) - at).norm());
-        for (const FormLine& line : lines)
+        for (const FormEdge e : m_form.mesh.edges())
+            if (m_form.mesh.is_border(e)) {
+                const auto [a, b] = endsOf(e);
+                border = std::min(border, distanceTo(at, a, b));
+            }
+        for (const FormLine& line : m_lines)
             if (line.name != name)
-                for (const Vec3& place : evenly(line, spacing))
+                for (const Vec3& place : evenly(line, spacing / 2))
                     border = std::min(border, (place - at).norm());
         return {QT_TRANSLATE_NOOP("Message",
                                   "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
@@ -518,6 +590,8 @@ private:
     bool m_whole;
     FormTree m_tree; // of it as it was
     std::vector<Message> m_notes;
+    std::vector<FormLine> m_lines; // that are cut; nothing goes on to the others
+    FormLine m_lastLine;           // that was to be cut
 };
 
 bool isAmong(const FormLine& line, const std::vector<FormLine>& lines)
@@ -543,7 +617,7 @@ std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std:
         std::vector<FormLine> cut;
         for (const FormLine& line : lines)
             if (line.points.size() > 1 && sameForm && isAmong(line, draft.lastLines)) {
-                cutter.cut(line, lines, stop);
+                cutter.cut(line, stop);
                 cut.push_back(line);
             }
         draft.cutLines = std::move(cut);
@@ -565,29 +639,31 @@ LinedTriangles cutAlong(const TriangleSoup& form, const FormCuts& cuts, const st
 {
     const std::vector<FormLine>& lines = cuts.lines;
     LinedTriangles failed;
-    failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than two "
-                                                   "faces meet, or sheets that touch in a point"),
-                      {}};
     LineCutter cutter(form, cuts, draft ? draftSpacing : spacing, stop);
     if (stop.stop_requested())
         return {};
-    if (!cutter.whole())
+    if (!cutter.whole()) {
+        failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it has edges where more than "
+                                                       "two faces meet, or sheets that touch in a point, at %1"),
+                          {placeText(cutter.notWholeAt())}};
         return failed;
+    }
     try {
         for (const FormLine& line : draft ? continued(cutter, *draft, lines, stop) : lines) {
             if (stop.stop_requested())
                 return {};
             if (line.points.size() > 1)
-                cutter.cut(line, lines, stop);
+                cutter.cut(line, stop);
         }
     } catch (const std::exception&) {
         if (stop.stop_requested())
             return {};
-        failed.problem = {QT_TRANSLATE_NOOP("Message", "lines cannot be cut into it: it goes through itself there"),
-                          {}};
+        failed.problem = {QT_TRANSLATE_NOOP("Message", "%1 cannot be cut into it, at %2: the form goes through "
+                                                       "itself there"),
+                          {cutter.lastLine().name, middleOf(cutter.lastLine())}};
         return failed;
     }
-    return cutter.result(lines);
+    return cutter.result();
 }
 
 } // namespace bolster

@@ -4,6 +4,7 @@
 #include "CurveFit.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
+#include "PatternSize.h"
 #include "PlaneCurves.h"
 #include "StretchLength.h"
 #include "TwinEdits.h"
@@ -30,10 +31,12 @@ constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles besi
 constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
 constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
-constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
-constexpr double unbearable = 0.5;   // strain: not even knitted fabrics
-constexpr double narrowest = 0.1;    // mm: nobody sews less
-constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
+constexpr double manyVertices = 60'000; // of a cover: more take their time
+constexpr std::size_t mostNamed = 3;    // pieces in a sentence
+constexpr double crossing = 0.3;        // of a direction's length: less of it lies in a piece that it crosses
+constexpr double unbearable = 0.5;      // strain: not even knitted fabrics
+constexpr double narrowest = 0.1;       // mm: nobody sews less
+constexpr double sameShape = 0.5;       // mm: from each other's mirror image are twins
 
 constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
 constexpr double mostTimes = 20;                 // as many samples as an edge of usual length has
@@ -383,21 +386,48 @@ private:
             }
     }
 
+    /// mm, to a tenth: edges with which the smallest piece of these has a shape.
+    double edgesFor(const std::vector<std::size_t>& pieces) const
+    {
+        double least = m_order.edgeLength;
+        for (const std::size_t p : pieces)
+            least = std::min(least, std::sqrt(areaOf(p)) / fewestEdges);
+        return std::floor(10 * least) / 10;
+    }
+
+    double areaOf(std::size_t p) const
+    {
+        return std::abs(m_result.design.find<Patch>(m_result.patches[p])->outline.signedArea());
+    }
+
+    std::string namesOf(const std::vector<std::size_t>& pieces) const
+    {
+        std::string names;
+        for (std::size_t k = 0; k < std::min(pieces.size(), mostNamed); ++k)
+            names.append(k > 0 ? ", " : "").append(piece(pieces[k]).name);
+        return pieces.size() > mostNamed ? names + " ..." : names;
+    }
+
+    /// Where shorter edges would make more of the cover than is convenient, they are no advice.
     void adviseOnEdges()
     {
-        const double least = fewestEdges * m_order.edgeLength;
-        const auto isSmall = [&](ElementId patch) {
-            return patch != noElement &&
-                   std::abs(m_result.design.find<Patch>(patch)->outline.signedArea()) < least * least;
-        };
-        const auto small = std::ranges::count_if(m_result.patches, isSmall);
-        if (small > 0)
+        const double least = fewestEdges * m_order.edgeLength, all = patternArea(m_result.design);
+        std::vector<std::size_t> small, specks;
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            if (isThere(p) && areaOf(p) < least * least)
+                (vertexCount(all, edgesFor({p})) > manyVertices ? specks : small).push_back(p);
+        if (!small.empty())
             m_result.advice.push_back(
                 {QT_TRANSLATE_NOOP("Message",
-                                   "Pieces that are small for the triangles of the cover, whose edges are "
-                                   "%1 mm long: %2. Make the mesh edges shorter for them, or their shape "
-                                   "will be coarse"),
-                 {numberText(m_order.edgeLength, 3), std::to_string(small)}});
+                                   "Small for the triangles of the cover, whose edges are %1 mm long: %2. Their "
+                                   "shape will be coarse; with mesh edges of %3 mm it is not"),
+                 {numberText(m_order.edgeLength, 3), namesOf(small), numberText(edgesFor(small), 3)}});
+        if (!specks.empty())
+            m_result.advice.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join "
+                                   "them to what lies beside them, or leave them out"),
+                 {numberText(m_order.edgeLength, 3), namesOf(specks)}});
     }
 
     void adviseOnStrain()

@@ -68,8 +68,10 @@ bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const s
             corners[k] = Vertex(static_cast<CgalMesh::size_type>(vertex));
         }
         const Face face = mesh.add_face(corners[0], corners[1], corners[2]);
-        if (face == CgalMesh::null_face() || stop.stop_requested())
+        if (face == CgalMesh::null_face() || stop.stop_requested()) {
+            m_refusedAt = fromCgal(mesh.point(corners[0]));
             return false;
+        }
         part[face] = soup.part[static_cast<std::size_t>(t)];
     }
     m_shared.assign(m_point.size(), false);

@@ -35,6 +35,8 @@ struct LinedMesh {
     /// Of these triangles; none: of all. False where an edge has three of them, or two sheets meet in a point; and
     /// when stopped.
     bool build(const TriangleSoup& soup, std::vector<int> chosen, const std::stop_token& stop = {});
+    /// A place of the triangle with which that was so.
+    const Vec3& refusedAt() const { return m_refusedAt; }
     /// In place of the triangles that it was made of.
     void putBack(TriangleSoup& soup) const;
 
@@ -59,7 +61,8 @@ private:
 
     std::vector<int> m_triangles; // of the soup
     std::vector<int> m_point;     // of each vertex that it had from the beginning
-    std::vector<bool> m_shared;   // by triangles that are not chosen, of the same
+    Vec3 m_refusedAt = Vec3::Zero();
+    std::vector<bool> m_shared; // by triangles that are not chosen, of the same
 };
 
 } // namespace bolster

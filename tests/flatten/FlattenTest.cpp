@@ -201,7 +201,25 @@ TEST(Flatten, SaysBeforehandWhatWillBeWrongWithTheCover)
     const Form form = cutForm(half(1), {});
     const FormPattern coarse = formPattern(form, flatten(form, {}), order);
     ASSERT_EQ(coarse.advice.size(), 1U);
-    EXPECT_NE(coarse.advice[0].english().find("80 mm long: 1."), std::string::npos) << coarse.advice[0].english();
+    EXPECT_NE(coarse.advice[0].english().find("80 mm long: Top."), std::string::npos) << coarse.advice[0].english();
+    EXPECT_NE(coarse.advice[0].english().find("edges of 75.9 mm"), std::string::npos) << coarse.advice[0].english();
+}
+
+/// Shorter edges for a speck would make a cover of so many triangles that longer ones are advised.
+TEST(Flatten, SmallPiecesAreNamedAndSpecksAskForNoShorterEdges)
+{
+    const auto square = [](double size, double x, const std::string& name) {
+        return gridMesh(
+            10, 10, [&](double u, double v) { return Vec3(x + size * u, size * v, 0); }, name);
+    };
+    const FormPattern made = patternOf(
+        sideBySide(sideBySide(square(1000, 0, "Seat"), square(31, 2000, "Tab")), square(15, 3000, "Speck")));
+    ASSERT_EQ(made.advice.size(), 2U);
+    const std::string small = made.advice[0].english(), speck = made.advice[1].english();
+    EXPECT_NE(small.find("12 mm long: Tab. "), std::string::npos) << small;
+    EXPECT_NE(small.find("mesh edges of 7.7 mm"), std::string::npos) << small;
+    EXPECT_NE(speck.find("12 mm long: Speck. Join"), std::string::npos) << speck;
+    EXPECT_EQ(speck.find("mesh edges"), std::string::npos) << speck;
 }
 
 TEST(Flatten, APieceOfAPlaneStaysAsItIsWhateverTheFabric)

@@ -70,6 +70,29 @@ TEST(FormLines, GoOnToABorderThatIsNear)
     expectSound(form);
 }
 
+TriangleMesh plane()
+{
+    return gridMesh(20, 20, [](double u, double v) { return Vec3(500 * u, 500 * v, 0); });
+}
+
+/// Straight on they would pass it by.
+TEST(FormLines, GoOnToALineThatIsNearAlsoAslantAndFromEndToEnd)
+{
+    const FormLine across{"Across", {{0, 250, 0}, {500, 250, 0}}, false};
+    const FormLine aslant{"Aslant", {{0, 428.7, 0}, {300, 255.5, 0}}, false};
+    const FormLine lower{"Lower", {{250, 0, 0}, {250, 250, 0}}, false};
+    const FormLine upper{"Upper", {{254, 500, 0}, {254, 254, 0}}, false};
+    for (const auto& [lines, pieces] :
+         {std::pair(std::vector{across, aslant}, 3U), std::pair(std::vector{lower, upper}, 2U)}) {
+        const Form form = cutAlongLines(plane(), lines);
+        ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+        EXPECT_EQ(form.pieces.size(), pieces);
+        for (const Message& note : form.notes)
+            ADD_FAILURE() << note.english();
+        expectSound(form);
+    }
+}
+
 TEST(FormLines, ThatEndInsideAreCutInAndSayWhere)
 {
     FormLine line = upright(1.5);
@@ -268,8 +291,9 @@ TEST(FormLines, AlongTheBorderCutNothing)
     const Form whole = cutAlongLines(sheet(), {round});
     EXPECT_EQ(whole.pieces.size(), 1U);
     ASSERT_EQ(whole.notes.size(), 1U);
-    EXPECT_EQ(whole.notes[0].english(),
-              "Border runs along the border of the form, or where it is cut anyway: there is nothing to cut");
+    EXPECT_EQ(whole.notes[0].english(), "Border runs along the border of the form, or where it is cut anyway, at "
+                                        "(500, 500, 23.55): there is nothing "
+                                        "to cut");
 
     // Along the border, across, and back along it.
     FormLine across{"Across", {}, false};
@@ -302,7 +326,22 @@ TEST(FormLines, FarFromTheFormChangeNothing)
     ASSERT_TRUE(form.problem.empty()) << form.problem.english();
     EXPECT_EQ(form.pieces.size(), 1U);
     ASSERT_EQ(form.notes.size(), 1U);
-    EXPECT_NE(form.notes.front().english().find("away from the form"), std::string::npos);
+    EXPECT_NE(form.notes.front().english().find("away from the form, at (4946, "), std::string::npos)
+        << form.notes.front().english();
+}
+
+/// It seemed to end before the refused one, and to have its name.
+TEST(FormLines, ThatAreRefusedLeadNobodyOn)
+{
+    const FormLine ends{"Ends", {{250, 0, 0}, {250, 200, 0}}, false};
+    const FormLine away{"Away", {{250, 205, 0}, {250, 205, 300}, {250, 205, 600}}, false};
+    const Form form = cutAlongLines(plane(), {away, ends});
+    ASSERT_EQ(form.notes.size(), 2U);
+    EXPECT_TRUE(form.notes[0].english().starts_with("Away is 300 mm away from the form, at (250, 205, 300): "))
+        << form.notes[0].english();
+    EXPECT_TRUE(form.notes[1].english().starts_with("Ends ends inside a piece, at (250, 201, 0): "))
+        << form.notes[1].english();
+    EXPECT_NE(form.notes[1].english().find("border is 201 mm away"), std::string::npos) << form.notes[1].english();
 }
 
 TEST(FormLines, WithoutLengthChangeNothing)
@@ -461,7 +500,7 @@ TEST(FormLines, AreCutOnceWhereTheyLieOnEachOtherOrOnACut)
     ASSERT_TRUE(form.problem.empty()) << form.problem.english();
     EXPECT_EQ(form.pieces.size(), 4U);
     ASSERT_EQ(form.notes.size(), 2U);
-    EXPECT_EQ(form.notes[0].english(), "Again runs along Middle: it is cut there once");
+    EXPECT_EQ(form.notes[0].english(), "Again runs along Middle, at (200, 100, 20): it is cut there once");
     EXPECT_NE(form.notes[1].english().find("Along runs along the border"), std::string::npos);
 }
 
