@@ -1,5 +1,6 @@
 #include "CurveEdits.h"
 #include "DesignCheck.h"
+#include "EarlierPieces.h"
 #include "ElementEdits.h"
 #include "PatchEdits.h"
 #include "ScanEdits.h"
@@ -41,6 +42,24 @@ TEST_F(Edits, MovesOutlinePoints)
     EXPECT_EQ(movePatchPoints(design, seat, std::vector<int>{1}, Vec2(5, 0)).verb.english(),
               "Move a point of Seat");
     EXPECT_EQ(design.with(edit).with(edit.inverse()), design);
+}
+
+/// The groups of a file have "_" for the spaces of names.
+TEST(EarlierPieces, AreThoseOfTheSameNamesAsFilesHaveThem)
+{
+    const auto patches = [](const std::vector<std::string>& names) {
+        Design design;
+        std::int32_t id = 0;
+        for (const std::string& name : names) {
+            Patch patch;
+            patch.name = name;
+            design = design.with({{}, {{ElementId{++id}, nullptr, makeElement(std::move(patch))}}});
+        }
+        return design;
+    };
+    EXPECT_EQ(earlierPieces(patches({"Back top", "Back side 2", "Back bottom", "Front"}),
+                            patches({"Back_top", "Back_side", "Back bottom_3"})),
+              (std::vector<ElementId>{ElementId{1}, ElementId{2}, ElementId{3}}));
 }
 
 TEST_F(Edits, ImpossibleMovesAreEmpty)

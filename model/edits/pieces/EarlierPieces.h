@@ -7,8 +7,9 @@
 
 namespace bolster::edits {
 
-/// Patches of the names that pieces of `made` have (numbers behind them aside, of which there may be others now),
-/// and the fixation curves of such names that hold nothing else.
+/// Patches of the names that pieces of `made` have (numbers behind them aside, of which there may be others now,
+/// and
+/// "_" as good as a space), and the fixation curves of such names that hold nothing else.
 std::vector<ElementId> earlierPieces(const Design& design, const Design& made);
 
 } // namespace bolster::edits
