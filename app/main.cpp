@@ -88,6 +88,7 @@ int main(int argc, char* argv[])
 {
     using namespace bolster;
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not become larger is a write that fails, and is said
+    std::signal(SIGPIPE, SIG_IGN); // files are written also when nobody reads on what is printed ("| head -1")
     QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
     const bool portable = takePortable(argc, argv);

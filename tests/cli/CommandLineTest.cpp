@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 #include "../model/TestFiles.h"
 #include "MeshImport.h"
+#include "Output.h"
 #include "ProgramRun.h"
 #include "TestPaths.h"
 
@@ -729,6 +730,51 @@ TEST_F(CommandLine, OneSignalEndsItWhenNobodyReadsWhatItWrites)
         QFile::remove(path("report.json"));
         EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden | QDir::System), onlyInputs);
     }
+}
+
+TEST(Output, SharesThatAreRoundingAloneAreNothing)
+{
+    EXPECT_EQ(cli::percentText(0.1234), "12.3 %");
+    EXPECT_EQ(cli::percentText(-0.5), "-50 %");
+    EXPECT_EQ(cli::percentText(1.44e-15), "0 %");
+    EXPECT_EQ(cli::percentText(-1e-6), "0 %");
+    EXPECT_EQ(cli::percentText(0.0007), "0.07 %");
+}
+
+/// As "| head -1" leaves it.
+ProgramRun runWithoutReader(const QStringList& arguments)
+{
+    int ends[2] = {-1, -1};
+    if (::pipe(ends) != 0)
+        return {};
+    ::close(ends[0]);
+    QProcess process;
+    process.setProcessEnvironment(bareEnvironment());
+    process.setChildProcessModifier([out = ends[1]] {
+        ::dup2(out, STDOUT_FILENO);
+        std::signal(SIGPIPE, SIG_DFL);
+    });
+    process.start(QString::fromStdString(test::program()), arguments);
+    const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
+    ::close(ends[1]);
+    return {ended ? process.exitCode() : -1, {}, process.readAllStandardError().toStdString()};
+}
+
+TEST_F(CommandLine, FilesAreWrittenAlsoWhenNobodyReadsWhatIsPrinted)
+{
+    const QString file = design("a.json", hammock());
+    write("box.obj", "v 0 0 0\nv 300 0 0\nv 300 200 0\nv 0 200 0\nf 1 2 3 4\n");
+    for (const auto& [words, out] :
+         {std::pair(QStringList{"solve", file, "--obj", path("cover.obj")}, "cover.obj"),
+          std::pair(QStringList{"export", file, "--dxf", path("cut.dxf")}, "cut.dxf"),
+          std::pair(QStringList{"convert", path("box.obj"), path("box.stl")}, "box.stl"),
+          std::pair(QStringList{"flatten", path("box.obj"), "--out", path("flat.json")}, "flat.json"),
+          std::pair(QStringList{"relieve", file, "--report", path("reliefs.json")}, "reliefs.json")}) {
+        const ProgramRun run = runWithoutReader(words);
+        EXPECT_EQ(run.exitCode, 0) << words.join(' ').toStdString() << run.err;
+        EXPECT_TRUE(QFileInfo::exists(path(out))) << out;
+    }
+    EXPECT_EQ(runWithoutReader({"dump", file}).exitCode, 1) << "what is printed was all that was wanted";
 }
 
 } // namespace

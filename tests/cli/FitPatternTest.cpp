@@ -69,6 +69,27 @@ TEST_F(FitPattern, ComesNearerToAForm)
     EXPECT_FALSE(QFile::exists(path("nowhere.json")));
 }
 
+TEST_F(FitPattern, SaysWhatItCostsInStrainAndWhichGoalIsHardlyNearer)
+{
+    const ProgramRun smaller =
+        fit({"--to", "size:Top=90%", "--limit", "5", "--lock", "none,patch:Front,patch:Rear,patch:Left,patch:Right",
+             "--out", path("smaller.json"), "--report", path("report.json"), "--threads", "2"});
+    ASSERT_EQ(smaller.exitCode, 0) << smaller.err;
+    const Json report = Json::parse(read("report.json"));
+    EXPECT_GT(report["after"]["over_limit"].get<double>(), report["before"]["over_limit"].get<double>() + 0.01);
+    EXPECT_NE(smaller.out.find("of the cover over the limit"), std::string::npos) << smaller.out;
+    EXPECT_NE(smaller.err.find("warning: more of the cloth is strained over its limits"), std::string::npos)
+        << smaller.err;
+    EXPECT_EQ(smaller.err.find("hardly nearer"), std::string::npos) << smaller.err;
+
+    const ProgramRun stays = fit({"--to", "strain", "--limit", "1", "--area", "Top:250,240,120", "--max-change",
+                                  "0.1", "--out", path("stays.json"), "--threads", "2"});
+    ASSERT_EQ(stays.exitCode, 0) << stays.err;
+    EXPECT_NE(stays.err.find("warning: it comes hardly nearer to the limit of strain: 100 % before, 100 % now"),
+              std::string::npos)
+        << stays.out << stays.err;
+}
+
 TEST_F(FitPattern, SaysWhichFilesAreMissingWhereItWrites)
 {
     ASSERT_EQ(callCommandLine({"solve", path("right.json"), "--obj", path("form.obj")}).exitCode, 0);

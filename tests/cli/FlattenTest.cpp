@@ -66,6 +66,15 @@ TEST_F(FlattenTest, GroupsBecomePatchesOfTheirNames)
     EXPECT_EQ(read("out.json"), kept);
 }
 
+TEST_F(FlattenTest, TheDesignIsWrittenAlsoWhenTheReportCannotBe)
+{
+    const ProgramRun run = flatten(path("chair.obj"), {"--unit", "cm", "--report", "/dev/full"});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.out.find("wrote " + path("out.json").toStdString()), std::string::npos) << run.out;
+    EXPECT_NE(run.err.find("/dev/full\" cannot be written"), std::string::npos) << run.err;
+    EXPECT_EQ(count("patch"), 2u);
+}
+
 TEST_F(FlattenTest, BendsPartWhatGroupsDoNot)
 {
     ASSERT_EQ(flatten(path("chair.obj"), {"--by", "angle:80"}).exitCode, 0);
@@ -140,8 +149,10 @@ TEST_F(FlattenTest, WhatIsClosedDividesItselfWhenAsked)
           "v .4 .3 .12\nv 0 .3 .12\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     const ProgramRun metres = flatten(path("metres.obj"), {"--divide"});
     EXPECT_EQ(metres.exitCode, 2);
-    EXPECT_NE(metres.err.find("--unit first"), std::string::npos) << metres.err;
+    EXPECT_TRUE(metres.err.starts_with("warning: --unit first")) << metres.err;
+    EXPECT_NE(metres.err.find("with --unit m it would be 0.4 m"), std::string::npos) << metres.err;
     EXPECT_EQ(metres.err.find("a shorter --edge"), std::string::npos) << metres.err;
+    EXPECT_EQ(metres.err.find("divide it"), std::string::npos) << "that would not help: " << metres.err;
 
     const ProgramRun run = flatten(path("box.obj"), {"--divide", "--report", path("report.json")});
     ASSERT_EQ(run.exitCode, 0) << run.err;

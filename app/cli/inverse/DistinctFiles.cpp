@@ -75,4 +75,11 @@ bool writeNewAndSay(const QString& path, const std::string& text)
     return sayWritten(path, createWholeFile(path, text));
 }
 
+bool writeWithReport(const QString& path, const std::string& design, const QString& reportPath,
+                     const std::string& report)
+{
+    const bool isThere = writeNewAndSay(path, design);
+    return (reportPath.isEmpty() || writeAndSay(reportPath, report)) && isThere;
+}
+
 } // namespace bolster::cli

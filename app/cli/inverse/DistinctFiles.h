@@ -23,4 +23,9 @@ bool writeAndSay(const QString& path, const std::string& text);
 /// Likewise, and never over what has come to be there meanwhile.
 bool writeNewAndSay(const QString& path, const std::string& text);
 
+/// A design, then its report, where that has a path. Each of them also when the other one cannot be written: they
+/// may have taken long. False when one cannot.
+bool writeWithReport(const QString& path, const std::string& design, const QString& reportPath,
+                     const std::string& report);
+
 } // namespace bolster::cli

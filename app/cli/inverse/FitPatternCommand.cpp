@@ -54,7 +54,8 @@ Options:
 
 Exit code:
   0  done
-  1  an output cannot be written or is there already, interrupted, or no cover
+  1  an output cannot be written (the other one is nevertheless) or is there
+     already, interrupted, or no cover
   2  the design or FILE cannot be used, or wrong usage
 )";
 
@@ -319,28 +320,73 @@ Json reportOf(const FitOrder& order, const FitResult& result)
             {"without_effect", result.idle}};
 }
 
+std::string overLimitText(const FitGoals& goals, const FitFigures& figures)
+{
+    return percentText(figures.overLimit) + " of the " + (goals.area.isAll() ? "cover" : "area");
+}
+
 std::string reachedText(const FitGoals& goals, const FitFigures& figures)
 {
     std::string text;
     if (!goals.target.empty())
         text += numberText(figures.distanceRms, 3) + " mm rms from the form, " +
-                numberText(figures.distanceP95, 3) + " mm within 95 %";
-    if (goals.strain)
-        text += (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) +
-                (goals.area.isAll() ? " % of the cover over the limit" : " % of the area over the limit");
+                numberText(figures.distanceP95, 3) + " mm within 95 %; ";
     if (!goals.smooth.empty())
-        text.append(text.empty() ? "" : "; ")
-            .append(numberText(100 * figures.pressed, 3))
-            .append(" % pressed together");
+        text.append(percentText(figures.pressed)).append(" pressed together; ");
     if (!goals.seams.empty())
-        text.append(text.empty() ? "" : "; ")
-            .append(numberText(figures.seamRms, 3))
-            .append(" mm rms from the curves");
+        text.append(numberText(figures.seamRms, 3)).append(" mm rms from the curves; ");
     if (!goals.sizes.empty())
-        text.append(text.empty() ? "" : "; ")
-            .append(numberText(100 * figures.sizeMost, 3))
-            .append(" % off the area that is wanted");
-    return text;
+        text.append(percentText(figures.sizeMost)).append(" off the area that is wanted; ");
+    return text + overLimitText(goals, figures) + " over the limit" + (goals.limit ? "" : "s of the fabrics");
+}
+
+/// A goal that is hardly nearer than before.
+struct Shortfall {
+    std::string goal, before, after;
+};
+
+std::vector<Shortfall> shortfalls(const FitGoals& goals, const FitFigures& before, const FitFigures& after)
+{
+    constexpr double hardlyNearer = 0.9;              // of what it was
+    constexpr double nearMm = 0.5, nearShare = 0.005; // that is reached
+    std::vector<Shortfall> found;
+    const auto lengths = [&](const char* goal, double was, double is) {
+        if (was > nearMm && is > hardlyNearer * was)
+            found.push_back({goal, numberText(was, 3) + " mm rms", numberText(is, 3) + " mm"});
+    };
+    const auto shares = [&](const char* goal, double was, double is) {
+        if (was > nearShare && is > hardlyNearer * was)
+            found.push_back({goal, percentText(was), percentText(is)});
+    };
+    if (!goals.target.empty())
+        lengths("the form", before.distanceRms, after.distanceRms);
+    if (goals.strain)
+        shares("the limit of strain", before.overLimit, after.overLimit);
+    if (!goals.smooth.empty())
+        shares("the patches without folds", before.pressed, after.pressed);
+    if (!goals.seams.empty())
+        lengths("the curves", before.seamRms, after.seamRms);
+    if (!goals.sizes.empty())
+        shares("the area that is wanted", before.sizeMost, after.sizeMost);
+    return found;
+}
+
+/// What the change costs, or does not bring.
+void printMisses(const FitOrder& order, const FitResult& result)
+{
+    constexpr double littleCovered = 0.2, notablyMore = 0.01; // share of the cover
+    const FitFigures &before = result.before, &after = result.after;
+    if (!order.goals.target.empty() && before.covered < littleCovered)
+        printError("warning: only " + percentText(before.covered, 2) +
+                   " of the cover has the form beside it: the distances are of that alone");
+    if (!result.values.isZero())
+        for (const Shortfall& miss : shortfalls(order.goals, before, after))
+            printError("warning: it comes hardly nearer to " + miss.goal + ": " + miss.before + " before, " +
+                       miss.after + " now; let something else change, or more of it (--freedom, --max-change)");
+    if (after.overLimit > before.overLimit + notablyMore)
+        printError("warning: more of the cloth is strained over its limits: " + overLimitText(order.goals, before) +
+                   " before, " + overLimitText(order.goals, after) +
+                   " now; --to strain besides the other goals, or a smaller --max-change keeps it down");
 }
 
 void printOutcome(const FitOrder& order, const FitResult& result)
@@ -358,15 +404,7 @@ void printOutcome(const FitOrder& order, const FitResult& result)
                 " mm at most");
     for (const Message& note : result.notes)
         printError("warning: " + note.english());
-    constexpr double littleCovered = 0.2; // share of the cover
-    if (!order.goals.target.empty() && result.before.covered < littleCovered)
-        printError("warning: only " + numberText(100 * result.before.covered, 2) +
-                   " % of the cover has the form beside it: the distances are of that alone");
-    if (!order.goals.target.empty() && strainsForLittle(result.before, result.after))
-        printError("warning: it comes hardly nearer to the form, and the cloth is strained over its limits in " +
-                   numberText(100 * result.after.overLimit, 2) +
-                   " % of the cover (before: " + numberText(100 * result.before.overLimit, 2) +
-                   " %): let something else change, or less of it (--max-change)");
+    printMisses(order, result);
     if (missesLengths(order.locks, result.before, result.after))
         printError("warning: the lengths of seams did not stay: sides differ by up to " +
                    numberText(result.after.sewnMost, 2) +
@@ -428,13 +466,8 @@ int fitPattern(std::span<const std::string> words)
     }
     printOutcome(asked.order, result);
     interrupt.beginWriting();
-    for (const auto& [file, text] :
-         {std::pair(out, writeDesign(result.design)),
-          std::pair(report, report.isEmpty() ? "" : reportOf(asked.order, result).dump(1) + "\n")}) {
-        const bool isReport = file == report && file != out;
-        if (!file.isEmpty() && !(isReport ? writeAndSay(file, text) : writeNewAndSay(file, text)))
-            return otherFailure;
-    }
+    if (!writeWithReport(out, writeDesign(result.design), report, reportOf(asked.order, result).dump(1) + "\n"))
+        return otherFailure;
     sayOfFiles(result.design, path, out);
     return done;
 }

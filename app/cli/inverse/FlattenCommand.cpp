@@ -50,7 +50,8 @@ Options:
 
 Exit code:
   0  done
-  1  FILE.json is there already, an output cannot be written, or interrupted
+  1  FILE.json is there already, an output cannot be written (the other one is
+     nevertheless), or interrupted
   2  SURFACE cannot be read or laid flat, or wrong usage
   3  a part of it is left out; the design of the rest is written nevertheless
 )";
@@ -60,7 +61,8 @@ namespace {
 constexpr double bendOfFaces =
     21; // degrees: CAD files are read with triangles that bend by 20 at most within a face
 
-constexpr double smallestForm = 50; // mm
+constexpr double smallestForm = 50;                     // mm
+constexpr double leastInMetres = 0.2, mostInMetres = 5; // what a form in metres may measure
 
 constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
                                      OptionRule{"--fabric", true}, OptionRule{"--edge", true},
@@ -145,6 +147,15 @@ void printWarnings(const std::vector<Message>& notes)
         printError("warning: " + note.english());
 }
 
+/// Of a form that is too small; `number`: how large it is in the numbers of its file.
+std::string otherUnitText(double number)
+{
+    if (number < leastInMetres)
+        return "--unit says what the numbers in the file are";
+    const std::string unit = number <= mostInMetres ? "m" : "cm";
+    return "with --unit " + unit + " it would be " + numberText(number, 2) + " " + unit;
+}
+
 struct ReadForm {
     Form form;
     int failure = done; ///< else the exit code; why was said
@@ -178,8 +189,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
                 numberText(size.z(), 3) + " mm large");
     const bool inOtherUnit = size.maxCoeff() < smallestForm;
     if (inOtherUnit)
-        printError(
-            "warning: that is small for a cover; --unit says what the numbers in the file are, such as --unit m");
+        printError("warning: --unit first: that is small for a cover; " +
+                   otherUnitText(size.maxCoeff() / placement.scale));
     ReadForm read;
     {
         ProgressLine line("cutting the form");
@@ -200,11 +211,14 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     if (read.form.problem.empty())
         return read;
     read.failure = badInput;
+    if (!read.form.refused.empty() && arguments.has("--divide") && inOtherUnit) {
+        printError("error: " + surface.toStdString() + ": it is " + numberText(size.maxCoeff(), 2) +
+                   " mm large, too small to be divided; " + otherUnitText(size.maxCoeff() / placement.scale));
+        return read;
+    }
     printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
     if (!read.form.refused.empty() && arguments.has("--divide"))
-        printError(inOtherUnit
-                       ? "(--unit first: the mesh edges are far longer than this form)"
-                       : "(pieces less than five edges across are not divided: a shorter --edge lets them be)");
+        printError("(pieces less than five edges across are not divided: a shorter --edge lets them be)");
     else if (!read.form.refused.empty())
         printError(
             "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG degrees, "
@@ -239,12 +253,6 @@ double formArea(const Form& form, const FormPiece& piece)
     return area;
 }
 
-/// Without what is rounding alone.
-std::string percent(double strain)
-{
-    return numberText(strain < 1e-6 ? 0 : 100 * strain, 2);
-}
-
 void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made, bool divided,
                  double limit)
 {
@@ -255,9 +263,9 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
             continue;
         }
         line.append(": ").append(numberText(flat[p].area / 1e6, 3)).append(" m2, strain ");
-        line.append(percent(flat[p].strainRms)).append(" % rms, ");
-        line.append(percent(flat[p].strainP99)).append(" % within 99 % of it, ");
-        line.append(percent(flat[p].strainMost)).append(" % at most");
+        line.append(percentText(flat[p].strainRms, 2)).append(" rms, ");
+        line.append(percentText(flat[p].strainP99, 2)).append(" within 99 % of it, ");
+        line.append(percentText(flat[p].strainMost, 2)).append(" at most");
         printResult(line);
     }
     double all = 0, leftOut = 0;
@@ -272,8 +280,8 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
             "warning: " + numberText(100 * leftOut / all, 3) + " % of the form's area are left out; " +
             (divided ? "a shorter --edge lets smaller pieces be divided" : "--divide finds where to divide it"));
     if (over > 0)
-        printError("warning: " + counted(over, "piece") + " strained by more than " + percent(limit) +
-                   " % in more than a hundredth of the area");
+        printError("warning: " + counted(over, "piece") + " strained by more than " + percentText(limit, 2) +
+                   " in more than a hundredth of the area");
     double widest = 0;
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
@@ -302,9 +310,9 @@ int flattenForm(std::span<const std::string> words)
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
+    Interrupt interrupt;
     if (arguments.has("--along"))
         cuts.lines = linesAlong(arguments.path("--along"));
-    Interrupt interrupt;
     const auto [form, failure] = formOf(surface, std::move(cuts), order, arguments, interrupt.token());
     if (failure != done)
         return failure;
@@ -328,9 +336,7 @@ int flattenForm(std::span<const std::string> words)
     }
     printPieces(form, flat, made, arguments.has("--divide"), bearableStrain(order.fabric));
     interrupt.beginWriting();
-    const bool written = writeNewAndSay(out, writeDesign(made.design)) &&
-                         (report.isEmpty() || writeAndSay(report, reportOf(form, flat, made).dump(1) + "\n"));
-    if (!written)
+    if (!writeWithReport(out, writeDesign(made.design), report, reportOf(form, flat, made).dump(1) + "\n"))
         return otherFailure;
     return std::ranges::count(made.patches, noElement) > 0 ? partLeftOut : done;
 }

@@ -39,7 +39,8 @@ Options:
 
 Exit code:
   0  done, even when there is nothing to relieve
-  1  an output cannot be written or is there already, interrupted, or no cover
+  1  an output cannot be written (the others are nevertheless) or is there
+     already, interrupted, or no cover
   2  the design cannot be used, or wrong usage
 )";
 
@@ -47,7 +48,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double farOff = 0.3; // of the excess
+constexpr double farOff = 0.3;       // of the excess
+constexpr double littleArea = 0.005; // of the cover
 
 constexpr std::array relieveRules = {OptionRule{"--limit", true},   OptionRule{"--max-change", true},
                                      OptionRule{"--solve", true},   OptionRule{"--edge", true},
@@ -66,19 +68,22 @@ ReliefOrder reliefOrder(const Arguments& arguments)
     return order;
 }
 
-std::string percentText(double share)
-{
-    return numberText(100 * share, 3) + " %";
-}
-
 std::string gainText(double gain)
 {
     return percentText(std::abs(gain)) + (gain < 0 ? " more" : " less");
 }
 
+/// Of the cover, not of what is over the limit: all of next to nothing is next to nothing.
+std::string areaText(const OverLimit& now, const ReliefGain& gain)
+{
+    return percentText((1 - gain.area) * now.area) + " of the cover is over the limit then";
+}
+
 void printReliefs(const ReliefList& list)
 {
-    printResult(percentText(list.now.area) + " of the cover is over the limit");
+    printResult(
+        percentText(list.now.area) + " of the cover is over the limit" +
+        (list.now.area > 0 && list.now.area < littleArea ? ", which is little: see whether it matters" : ""));
     if (list.reliefs.empty())
         printResult(list.now.area > 0 ? "no change relieves it" : "there is nothing to relieve");
     int place = 0;
@@ -89,8 +94,8 @@ void printReliefs(const ReliefList& list)
         missed = missed || std::abs(relief.solved->energy - relief.predicted) > farOff;
         printResult(std::to_string(++place) + ". " + relief.text.english() + ": " +
                     gainText(relief.solved->energy) + " excess (" + gainText(relief.predicted) + " predicted), " +
-                    gainText(relief.solved->area) + " area over the limit; sewn " + numberText(relief.sewn, 3) +
-                    " mm, outlines " + numberText(relief.moved, 3) + " mm");
+                    areaText(list.now, *relief.solved) + "; sewn " + numberText(relief.sewn, 3) + " mm, outlines " +
+                    numberText(relief.moved, 3) + " mm");
     }
     if (missed)
         printError(
@@ -140,11 +145,11 @@ int writeReliefs(const Arguments& arguments, const Design& design, const ReliefL
     }
     if (const QString report = arguments.path("--report"); !report.isEmpty())
         files.emplace_back(report, reliefReport(list).dump(1) + "\n");
-    for (const auto& [file, text] : files) {
-        if (!(file == arguments.path("--report") ? writeAndSay(file, text) : writeNewAndSay(file, text)))
-            return otherFailure;
-    }
-    return done;
+    bool written = true; // all that can be: solving them has taken long
+    for (const auto& [file, text] : files)
+        written =
+            (file == arguments.path("--report") ? writeAndSay(file, text) : writeNewAndSay(file, text)) && written;
+    return written ? done : otherFailure;
 }
 
 } // namespace

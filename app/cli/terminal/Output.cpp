@@ -4,6 +4,7 @@
 #include "Escaped.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace bolster::cli {
@@ -45,6 +46,12 @@ void printProblems(const Problems& problems)
 std::string counted(std::int64_t count, const std::string& thing)
 {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string percentText(double share, int digits)
+{
+    constexpr double nothing = 1e-5;
+    return numberText(std::abs(share) < nothing ? 0 : 100 * share, digits) + " %";
 }
 
 std::string countedProblems(const Problems& problems)

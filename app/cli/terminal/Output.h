@@ -20,6 +20,9 @@ void printProblems(const Problems& problems);
 /// "1 seam", "2 seams"
 std::string counted(std::int64_t count, const std::string& thing);
 
+/// "12.3 %" of 0.123. What is less than a thousandth of a percent is rounding, or as good as nothing: "0 %".
+std::string percentText(double share, int digits = 3);
+
 /// "1 error, 2 warnings"
 std::string countedProblems(const Problems& problems);
 
