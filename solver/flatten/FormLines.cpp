@@ -453,23 +453,17 @@ private:
     }
 
     /// What a line that ends on the form may go on to: the nearest place of a border, of where it is cut anyway, or
-    /// of another line, within reach.
-    struct Nearby {
-        double distance = reach;   ///< mm; within reach: of any
-        std::optional<Vec3> ahead; ///< the nearest one that is not beside or behind
-    };
-
-    Nearby nearby(const Vec3& end, const Vec3& direction, const FormLine& line) const
+    /// of another line, within reach, and neither beside nor behind.
+    std::optional<Vec3> placeAhead(const Vec3& end, const Vec3& direction, const FormLine& line) const
     {
-        Nearby found;
+        constexpr double mostAside = 0.25; // cosine of the angle by which it turns at most
+        std::optional<Vec3> found;
         double nearest = reach;
         const auto look = [&](const Vec3& place) {
-            constexpr double mostAside = 0.25; // cosine of the angle by which it turns at most
             const double distance = (place - end).norm();
-            found.distance = std::min(found.distance, distance);
             if (distance < nearest && (place - end).dot(direction) > mostAside * distance) {
                 nearest = distance;
-                found.ahead = place;
+                found = place;
             }
         };
         for (const FormEdge e : m_form.mesh.edges())
@@ -501,14 +495,14 @@ private:
         return (nearestOn(at, from, to) - at).norm();
     }
 
-    /// One place more behind the end of a line, on what is near, or where nothing is a little farther.
+    /// One place more behind the end of a line: a little beyond what is near, or else straight on.
     Vec3 goneOn(const Vec3& end, const Vec3& before, const FormLine& line) const
     {
         const Vec3 straight = (end - before).normalized(), on = m_tree.nearestTo(end).at;
-        const Nearby near = nearby(on, straight, line);
-        if (near.ahead && (*near.ahead - on).norm() > overshoot)
-            return *near.ahead + overshoot * (*near.ahead - on).normalized();
-        return end + (near.distance < reach ? near.distance + overshoot : overshoot) * straight;
+        const std::optional<Vec3> ahead = placeAhead(on, straight, line);
+        const double missing = ahead ? (*ahead - on).norm() : 0;
+        return missing > overshoot ? Vec3(*ahead + overshoot / missing * (*ahead - on))
+                                   : Vec3(end + (missing + overshoot) * straight);
     }
 
     /// On to a border or another line that is near, where it is not outside of the border.
