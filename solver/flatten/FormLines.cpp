@@ -177,7 +177,8 @@ public:
     LinedTriangles result()
     {
         m_form.build(m_soup, {});
-        m_form.pruneSpurs();
+        const auto parts = [&](Vertex v) { return isCutAnywayAt(v); };
+        m_form.pruneSpurs(parts);
         m_form.tidy();
         LinedTriangles result;
         result.notes = m_notes;
@@ -199,7 +200,7 @@ public:
                 const int a = number[m_form.mesh.vertex(e, 0)], b = number[m_form.mesh.vertex(e, 1)];
                 result.cuts.insert({std::min(a, b), std::max(a, b)});
             }
-        for (const Vertex v : m_form.looseEnds())
+        for (const Vertex v : m_form.looseEnds(parts))
             result.notes.push_back(looseEnd(fromCgal(m_form.mesh.point(v))));
         return result;
     }
@@ -347,6 +348,16 @@ private:
             return true;
         return m_cuts.angle &&
                normalBeside(half).dot(normalBeside(other)) < std::cos(*m_cuts.angle * std::numbers::pi / 180);
+    }
+
+    /// Of edges that no line has cut.
+    bool isCutAnywayAt(Vertex v) const
+    {
+        const auto around = m_form.mesh.halfedges_around_target(m_form.mesh.halfedge(v));
+        return std::ranges::any_of(around, [&](auto half) {
+            const FormEdge e = m_form.mesh.edge(half);
+            return !m_form.cut[e] && isCutAnyway(e);
+        });
     }
 
     Vec3 normalBeside(CgalMesh::Halfedge_index half) const

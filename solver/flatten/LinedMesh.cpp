@@ -143,11 +143,11 @@ std::vector<FormEdge> LinedMesh::cutsAt(Vertex v) const
     return cuts;
 }
 
-std::vector<Vertex> LinedMesh::looseEnds() const
+std::vector<Vertex> LinedMesh::looseEnds(const CutAnyway& isCutAnyway) const
 {
     std::vector<Vertex> ends;
     for (const Vertex v : mesh.vertices())
-        if (!mesh.is_isolated(v) && !mesh.is_border(v) && cutsAt(v).size() == 1)
+        if (!mesh.is_isolated(v) && !mesh.is_border(v) && cutsAt(v).size() == 1 && !isCutAnyway(v))
             ends.push_back(v);
     return ends;
 }
@@ -242,18 +242,18 @@ bool LinedMesh::flattenCaps()
     return any;
 }
 
-void LinedMesh::pruneSpurs()
+void LinedMesh::pruneSpurs(const CutAnyway& isCutAnyway)
 {
     for (const FormEdge e : mesh.edges())
         if (mesh.is_border(e))
             cut[e] = false;
-    for (Vertex end : looseEnds()) {
+    for (Vertex end : looseEnds(isCutAnyway)) {
         std::vector<FormEdge> spur;
         double length = 0;
         for (Vertex at = end; length <= longestSpur;) {
             std::vector<FormEdge> cuts = cutsAt(at);
             std::erase_if(cuts, [&](FormEdge e) { return std::ranges::find(spur, e) != spur.end(); });
-            if (cuts.size() != 1 || (at != end && mesh.is_border(at)))
+            if (cuts.size() != 1 || (at != end && (mesh.is_border(at) || isCutAnyway(at))))
                 break;
             spur.push_back(cuts.front());
             length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(cuts.front(), 0)),

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -42,10 +43,12 @@ struct LinedMesh {
 
     /// What cutting has left of triangles goes: points that are nearly one, and triangles that are nearly an edge.
     void tidy();
-    /// What hangs over where a line has met another one.
-    void pruneSpurs();
+    /// Whether the form is cut at a vertex whatever lines say; at its border it is.
+    using CutAnyway = std::function<bool(Vertex)>;
+    /// What hangs over where a line has met another one, or where the form is cut anyway.
+    void pruneSpurs(const CutAnyway& isCutAnyway);
     /// Where lines end inside.
-    std::vector<Vertex> looseEnds() const;
+    std::vector<Vertex> looseEnds(const CutAnyway& isCutAnyway) const;
 
 private:
     int pointOf(Vertex v) const { return m_point[v.idx()]; }

@@ -156,6 +156,30 @@ TEST(FormLines, KeepThePartsOfTheForm)
     EXPECT_EQ(names, (std::vector<std::string>{"Left", "Left 2", "Right", "Right 2"}));
 }
 
+/// The form falls apart there as at a border: no dart is left beyond it, and no end inside a piece.
+TEST(FormLines, GoOnToWhereTheFormIsCutAnyway)
+{
+    const auto side = [](double from, const std::string& name) {
+        return gridMesh(
+            10, 10, [&](double u, double v) { return Vec3(from + 200 * u, 200 * v, from > 0 ? 100 * u : 0); },
+            name);
+    };
+    const FormLine line{"Line", {{0, 77, 0}, {195, 77, 0}}, false};
+    FormCuts parts, bends;
+    parts.lines = bends.lines = {line};
+    bends.groups = false;
+    bends.angle = 20;
+    for (const FormCuts& cuts : {parts, bends}) {
+        const Form form = cutForm(sideBySide(side(0, "Left"), side(200, "Right")), cuts);
+        ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+        EXPECT_EQ(form.pieces.size(), 3U);
+        for (const Message& note : form.notes)
+            ADD_FAILURE() << note.english();
+        const FormPattern made = formPattern(form, flatten(form, {}), {});
+        EXPECT_EQ(made.seams.size(), 3U) << "a dart is one, too";
+    }
+}
+
 TEST(FormLines, CutFormsWithEdgesOfThreeFaces)
 {
     TriangleMesh book = gridMesh(2, 2, [](double u, double v) { return Vec3(100 * u, 100 * v, 0); });
