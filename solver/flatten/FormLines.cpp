@@ -111,9 +111,10 @@ std::optional<Vec3> selfCrossing(const CgalMesh& mesh)
 /// mm
 std::string placeText(const Vec3& at)
 {
+    const auto number = [](double value) { return numberText(std::round(100 * value) / 100, 4); };
     std::string text("(");
-    text.append(numberText(at.x(), 4)).append(", ").append(numberText(at.y(), 4)).append(", ");
-    return text.append(numberText(at.z(), 4)).append(")");
+    text.append(number(at.x())).append(", ").append(number(at.y())).append(", ");
+    return text.append(number(at.z())).append(")");
 }
 
 /// About where a line lies.

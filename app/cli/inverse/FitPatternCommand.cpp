@@ -348,6 +348,7 @@ struct Shortfall {
 std::vector<Shortfall> shortfalls(const FitGoals& goals, const FitFigures& before, const FitFigures& after)
 {
     constexpr double hardlyNearer = 0.9;              // of what it was
+    constexpr double mostOfIt = 0.5;                  // of all there is
     constexpr double nearMm = 0.5, nearShare = 0.005; // that is reached
     std::vector<Shortfall> found;
     const auto lengths = [&](const char* goal, double was, double is) {
@@ -355,7 +356,7 @@ std::vector<Shortfall> shortfalls(const FitGoals& goals, const FitFigures& befor
             found.push_back({goal, numberText(was, 3) + " mm rms", numberText(is, 3) + " mm"});
     };
     const auto shares = [&](const char* goal, double was, double is) {
-        if (was > nearShare && is > hardlyNearer * was)
+        if (was > nearShare && (is > hardlyNearer * was || is > mostOfIt))
             found.push_back({goal, percentText(was), percentText(is)});
     };
     if (!goals.target.empty())
