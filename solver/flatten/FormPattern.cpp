@@ -6,6 +6,7 @@
 #include "EditBuilder.h"
 #include "PatternSize.h"
 #include "PlaneCurves.h"
+#include "SeamSides.h"
 #include "StretchLength.h"
 #include "TwinEdits.h"
 #include "UnionFind.h"
@@ -141,6 +142,10 @@ public:
         m_starts.resize(m_form.pieces.size());
         m_rowWidth = rowWidth();
         findClosed();
+        m_outlines.resize(m_form.pieces.size());
+        for (std::size_t p = 0; goesOn(p); ++p)
+            makeCurves(p);
+        makeSidesEqual(m_form, m_outlines, m_stop);
         for (std::size_t p = 0; goesOn(p); ++p)
             addPatch(p);
         for (std::size_t p = 0; goesOn(p); ++p)
@@ -253,9 +258,9 @@ private:
                turnAt(formPoint(p, before), formPoint(p, k), formPoint(p, after)) > sharpTurn;
     }
 
-    void addPatch(std::size_t p)
+    /// None of a piece that is left out.
+    void makeCurves(std::size_t p)
     {
-        m_result.patches.push_back(noElement);
         const auto sensible = [](const Vec2& at) { return (at.array().abs() <= farthestFlat).all(); };
         if (m_flat[p].turnedShare > mostTurned || !std::ranges::all_of(m_flat[p].at, sensible)) {
             leaveOut(p);
@@ -270,9 +275,8 @@ private:
         }
         openCuts(p);
         try {
-            addOutline(p);
+            m_outlines[p] = curvesOf(p);
         } catch (const std::invalid_argument&) { // edges without a length
-            m_starts[p].clear();
             leaveOut(p);
         }
     }
@@ -289,30 +293,40 @@ private:
         return length > 0 ? 2 * std::abs(area) / length : 0;
     }
 
-    void addOutline(std::size_t p)
+    PieceCurves curvesOf(std::size_t p) const
     {
         const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
-        std::vector<BSpline2> curves;
-        std::vector<std::size_t> rows; // which curve each row begins with
+        PieceCurves outline;
         for (std::size_t k = 0; k < count;) {
             if (beginsRow(p, (start + k) % count))
-                rows.push_back(curves.size());
+                outline.rows.push_back(outline.curves.size());
             std::vector<Vec2> row{flatPoint(p, (start + k) % count)};
             do {
                 ++k;
                 row.push_back(flatPoint(p, (start + k) % count));
             } while (k < count && !isCorner(p, (start + k) % count));
-            curves.push_back(curveOf(row));
+            outline.curves.push_back(curveOf(row));
         }
+        return outline;
+    }
+
+    void addPatch(std::size_t p)
+    {
+        m_result.patches.push_back(noElement);
+        if (m_outlines[p].curves.empty())
+            return;
         Patch patch;
         std::vector<double> starts;
-        patch.outline = edits::joined(curves, &starts);
-        for (const std::size_t curve : rows)
-            m_starts[p].push_back(starts[curve]);
-        if (outlineProblem(patch.outline)) {
+        try {
+            patch.outline = edits::joined(m_outlines[p].curves, &starts);
+        } catch (const std::invalid_argument&) { // edges without a length
+        }
+        if (patch.outline.empty() || outlineProblem(patch.outline)) {
             leaveOut(p);
             return;
         }
+        for (const std::size_t curve : m_outlines[p].rows)
+            m_starts[p].push_back(starts[curve]);
         patch.name = piece(p).name;
         patch.fabric = m_fabric;
         patch.grain = grainOf(p);
@@ -671,6 +685,7 @@ private:
     FormPattern m_result;
     ElementId m_fabric = noElement;
     std::vector<bool> m_closed;                // of each piece: nothing of what hangs together with it has a border
+    std::vector<PieceCurves> m_outlines;       // of each piece
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;
     Vec2 m_cursor = Vec2::Zero();
