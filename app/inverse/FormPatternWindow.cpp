@@ -34,12 +34,14 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -50,6 +52,7 @@ constexpr int mostLinesSaid = 9;        // that are seen at once
 constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
 constexpr double manyVertices = 60'000; // of a cover
 constexpr std::size_t mostNotes = 5;    // of pieces that are left out
+constexpr qsizetype mostNames = 4;      // of parts that are refused
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -82,14 +85,36 @@ std::set<ElementId> linesToCut(const Design& design)
     return lines;
 }
 
+/// Whether two frames have one shape in one place: nothing else of them makes other pieces.
+bool sameShape(const Frame* a, const Frame* b)
+{
+    return a && b && a->file == b->file && a->hiddenParts == b->hiddenParts &&
+           static_cast<const Placement&>(*a) == static_cast<const Placement&>(*b);
+}
+
+/// Names of curves, with numbers where several have one.
+std::map<ElementId, QString> lineNames(const Design& design)
+{
+    std::map<std::string, int> count, used;
+    design.each<FixationCurve>([&](ElementId, const FixationCurve& curve) { ++count[curve.name]; });
+    std::map<ElementId, QString> names;
+    design.each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
+        const QString name = QString::fromStdString(curve.name);
+        names[id] = count[curve.name] > 1 ? QStringLiteral("%1 (%2)").arg(name).arg(++used[curve.name]) : name;
+    });
+    return names;
+}
+
 } // namespace
 
-FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene, QWidget* parent)
+FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene,
+                                     std::shared_ptr<FormPatternWishes> remembered, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_solver(solver)
     , m_scene(scene)
+    , m_remembered(std::move(remembered))
     , m_job([job = std::make_shared<FormPatternJob>()](
                 const FormWanted& wanted, const std::stop_token& stop) { return job->make(wanted, stop); },
             [this](FormMade made) { take(std::move(made)); })
@@ -100,10 +125,11 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     fillForms();
     fillFabrics();
     fillLines();
+    fillIn(*m_remembered);
     connect(&m_document, &Document::changed, this, &FormPatternWindow::documentChanged);
     connect(&m_document, &Document::gestureEnded, this, [this] {
-        takeMesh();
-        ask(false);
+        if (takeMesh() || m_drafted)
+            ask(false);
     });
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
     formChosen();
@@ -111,6 +137,7 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
 
 FormPatternWindow::~FormPatternWindow()
 {
+    *m_remembered = wishes();
     m_scene.setGuestLines({});
     m_job.cancel();
 }
@@ -145,28 +172,46 @@ void FormPatternWindow::build()
     m_make->setDefault(true);
     connect(m_make, &QPushButton::clicked, this, &FormPatternWindow::make);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-    m_stop = new QPushButton(tr("&Stop"), this); // not among the others, which would move under the pointer
-    m_stop->setAutoDefault(false);
-    connect(m_stop, &QPushButton::clicked, this, [this] { m_running ? stop() : ask(false); });
-    m_busy = new QProgressBar(this);
-    m_busy->setRange(0, 0);
-    m_busy->setAccessibleName(tr("Laying a form flat \u2026"));
-    for (QWidget* part : {static_cast<QWidget*>(m_busy), static_cast<QWidget*>(m_stop)}) {
-        QSizePolicy keeps = part->sizePolicy();
-        keeps.setRetainSizeWhenHidden(true);
-        part->setSizePolicy(keeps);
-        part->hide();
-    }
-    auto* progress = new QHBoxLayout;
-    progress->addWidget(m_busy, 1);
-    progress->addWidget(m_stop);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter, 1);
-    layout->addLayout(progress);
+    layout->addLayout(buildProgress());
     layout->addWidget(buttons);
     resize(760, 560);
     if (const QWidget* window = parentWidget()) // over the pattern: lines are drawn in the 3D view
         move(window->geometry().left() + 24, window->geometry().bottom() - height() - 40);
+}
+
+/// What begins anew is not where Stop was: a second click does nothing.
+QLayout* FormPatternWindow::buildProgress()
+{
+    m_stop = new QPushButton(tr("&Stop"), this); // not among the others, which would move under the pointer
+    m_stop->setAutoDefault(false);
+    connect(m_stop, &QPushButton::clicked, this, &FormPatternWindow::stop);
+    QSizePolicy keeps = m_stop->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    m_stop->setSizePolicy(keeps);
+    m_stop->hide();
+    auto* bar = new QProgressBar(this);
+    bar->setRange(0, 0);
+    bar->setAccessibleName(tr("Laying a form flat \u2026"));
+    m_busy = bar;
+    m_idle = new QWidget(this);
+    m_stopped = new QWidget(this);
+    auto* again = new QPushButton(tr("&Lay it flat"), m_stopped);
+    again->setAutoDefault(false);
+    connect(again, &QPushButton::clicked, this, [this] { ask(false); });
+    auto* row = new QHBoxLayout(m_stopped);
+    row->setContentsMargins({});
+    row->addWidget(again);
+    row->addStretch(1);
+    m_progress = new QStackedWidget(this);
+    m_progress->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    for (QWidget* page : {m_idle, m_busy, m_stopped})
+        m_progress->addWidget(page);
+    auto* progress = new QHBoxLayout;
+    progress->addWidget(m_progress, 1);
+    progress->addWidget(m_stop);
+    return progress;
 }
 
 QWidget* FormPatternWindow::buildWishes()
@@ -258,6 +303,45 @@ void FormPatternWindow::fillForms()
     }
 }
 
+std::vector<QCheckBox*> FormPatternWindow::waysToCut() const
+{
+    return {m_groups, m_faces, m_bends, m_divide};
+}
+
+/// As it was when the window was closed, as far as that is still there.
+void FormPatternWindow::fillIn(const FormPatternWishes& wishes)
+{
+    if (!wishes.known)
+        return;
+    const bool hasFile = !wishes.file.isEmpty() && QFileInfo::exists(wishes.file);
+    const int form = m_form->findData(wishes.form);
+    if (form >= 0 && (hasFile || wishes.form.toString() != "file")) {
+        m_form->setCurrentIndex(form);
+        if (wishes.form.toString() == "file") {
+            m_file = wishes.file;
+            m_form->setItemText(form, QFileInfo(m_file).fileName());
+            tickLines(false);
+        }
+    }
+    m_fabric->setCurrentIndex(std::max(0, m_fabric->findData(wishes.fabric)));
+    m_grain->setCurrentIndex(wishes.grain);
+    m_angle->display(wishes.angle);
+    const std::vector<QCheckBox*> boxes = waysToCut();
+    for (std::size_t k = 0; k < boxes.size() && k < wishes.ticks.size(); ++k) {
+        const QSignalBlocker quiet(boxes[k]);
+        boxes[k]->setChecked(wishes.ticks[k]);
+    }
+}
+
+FormPatternWishes FormPatternWindow::wishes() const
+{
+    FormPatternWishes wishes{true, m_form->currentData(), m_fabric->currentData(), m_file, m_grain->currentIndex(),
+                             {},   m_angle->value()};
+    for (const QCheckBox* box : waysToCut())
+        wishes.ticks.push_back(box->isChecked());
+    return wishes;
+}
+
 /// Its place among the forms: seldom is a cover made for legs.
 int FormPatternWindow::largestFrame() const
 {
@@ -284,23 +368,48 @@ void FormPatternWindow::fillFabrics()
         m_fabric->addItem(tr("New fabric"), number(noElement));
 }
 
-/// Lines that are new are ticked.
+/// Lines that are new are ticked. What holds a cover already is beside them, closed up: that may be much.
 void FormPatternWindow::fillLines()
 {
-    const std::set<ElementId> usual = linesToCut(m_document.design());
+    const Design& design = m_document.design();
+    const std::set<ElementId> usual = linesToCut(design);
     std::map<quint32, Qt::CheckState> before;
-    for (int row = 0; row < m_lines->topLevelItemCount(); ++row)
-        before[m_lines->topLevelItem(row)->data(0, Qt::UserRole).toUInt()] =
-            m_lines->topLevelItem(row)->checkState(0);
+    for (const QTreeWidgetItem* line : lineItems())
+        before[line->data(0, Qt::UserRole).toUInt()] = line->checkState(0);
+    const bool wasOpen =
+        m_lines->topLevelItemCount() > 0 && m_lines->topLevelItem(m_lines->topLevelItemCount() - 1)->isExpanded();
     const QSignalBlocker quiet(m_lines);
     m_lines->clear();
-    m_document.design().each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
-        auto* row = new QTreeWidgetItem(m_lines, {QString::fromStdString(curve.name)});
+    auto* holding = new QTreeWidgetItem(QStringList{tr("Lines that hold a cover")});
+    for (const auto& [id, name] : lineNames(design)) {
+        auto* row = new QTreeWidgetItem(QStringList{name});
         row->setData(0, Qt::UserRole, number(id));
         const auto known = before.find(number(id));
         const Qt::CheckState fresh = usual.contains(id) ? Qt::Checked : Qt::Unchecked;
         row->setCheckState(0, known == before.end() ? fresh : known->second);
-    });
+        if (usual.contains(id))
+            m_lines->addTopLevelItem(row);
+        else
+            holding->addChild(row);
+    }
+    m_lines->setRootIsDecorated(holding->childCount() > 0);
+    if (holding->childCount() == 0) {
+        delete holding;
+        return;
+    }
+    holding->setFlags(holding->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
+    m_lines->addTopLevelItem(holding);
+    holding->setExpanded(wasOpen);
+}
+
+/// Not the heading of those that hold a cover.
+std::vector<QTreeWidgetItem*> FormPatternWindow::lineItems() const
+{
+    std::vector<QTreeWidgetItem*> items;
+    for (QTreeWidgetItemIterator each(m_lines); *each; ++each)
+        if ((*each)->data(0, Qt::UserRole).isValid())
+            items.push_back(*each);
+    return items;
 }
 
 void FormPatternWindow::tickLines(bool ticked)
@@ -308,8 +417,7 @@ void FormPatternWindow::tickLines(bool ticked)
     m_ofFile = !ticked;
     const std::set<ElementId> usual = ticked ? linesToCut(m_document.design()) : std::set<ElementId>();
     const QSignalBlocker quiet(m_lines);
-    for (int row = 0; row < m_lines->topLevelItemCount(); ++row) {
-        QTreeWidgetItem* line = m_lines->topLevelItem(row);
+    for (QTreeWidgetItem* line : lineItems()) {
         const auto id = static_cast<ElementId>(line->data(0, Qt::UserRole).toUInt());
         line->setCheckState(0, usual.contains(id) ? Qt::Checked : Qt::Unchecked);
     }
@@ -346,9 +454,9 @@ ElementPtr FormPatternWindow::frameElement() const
 /// Of a frame that was moved, or is another one now; whether it was.
 bool FormPatternWindow::takeMesh()
 {
-    if (frameElement() == m_meshOf)
+    const ElementPtr before = std::exchange(m_meshOf, frameElement());
+    if (before == m_meshOf || sameShape(std::get_if<Frame>(before.get()), frame()))
         return false;
-    m_meshOf = frameElement();
     m_mesh = mesh();
     return true;
 }
@@ -399,8 +507,7 @@ FormGrain FormPatternWindow::grain() const
 std::vector<FormLine> FormPatternWindow::chosenLines() const
 {
     Design ticked;
-    for (int row = 0; row < m_lines->topLevelItemCount(); ++row) {
-        const QTreeWidgetItem* item = m_lines->topLevelItem(row);
+    for (const QTreeWidgetItem* item : lineItems()) {
         const auto id = static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt());
         if (item->checkState(0) == Qt::Checked)
             if (const ElementPtr curve = m_document.design().element(id))
@@ -412,6 +519,7 @@ std::vector<FormLine> FormPatternWindow::chosenLines() const
 void FormPatternWindow::ask(bool draft)
 {
     m_upToDate = false;
+    m_drafted = draft;
     m_make->setEnabled(false);
     if (draft && m_divide->isChecked()) { // that takes longer than a drag waits
         m_said->setText(tr("It is laid flat again when you let go."));
@@ -462,13 +570,12 @@ void FormPatternWindow::ask(bool draft)
 
 void FormPatternWindow::setRunning(bool running)
 {
-    m_stop->setText(tr("&Stop"));
     m_stop->setVisible(running);
+    m_progress->setCurrentWidget(running ? m_busy : m_idle);
     if (running == static_cast<bool>(m_running))
         return;
     m_running =
         running ? std::make_unique<RunningJob>(tr("Laying a form flat \u2026"), [this] { stop(); }) : nullptr;
-    m_busy->setVisible(running);
 }
 
 void FormPatternWindow::stop()
@@ -476,10 +583,9 @@ void FormPatternWindow::stop()
     m_job.cancel();
     ++m_asked; // what is on its way comes too late
     setRunning(false);
-    clear();
-    m_stop->setText(tr("&Lay it flat"));
-    m_stop->show();
-    m_said->setText(tr("It was stopped."));
+    m_progress->setCurrentWidget(m_stopped);
+    m_said->setText(m_made && m_made->problem.empty() ? tr("It was stopped. These are the pieces from before.")
+                                                      : tr("It was stopped."));
 }
 
 void FormPatternWindow::clear()
@@ -544,12 +650,7 @@ void FormPatternWindow::offerToReplace()
 void FormPatternWindow::say()
 {
     if (!m_made->problem.empty()) {
-        QStringList lines{asSentence(translated(m_made->problem))};
-        if (!m_divide->isChecked() && !m_made->form.refused.empty())
-            lines << tr("A mark at \"where it would not lie flat\" divides it.");
-        for (const Message& note : m_made->form.notes)
-            lines << translated(note);
-        m_said->setText(lines.join('\n'));
+        sayProblem();
         return;
     }
     QStringList lines;
@@ -609,13 +710,51 @@ void FormPatternWindow::say()
     m_said->setText(lines.join('\n'));
 }
 
+void FormPatternWindow::sayProblem()
+{
+    const Form& form = m_made->form;
+    QStringList lines{asSentence(translated(m_made->problem))};
+    QStringList others; // the problem is that of the first one
+    for (std::size_t k = 1; k < form.refused.size(); ++k)
+        others << isolated(QString::fromStdString(form.undivided[form.refused[k]].name));
+    const qsizetype unnamed = std::max<qsizetype>(0, others.size() - mostNames);
+    if (unnamed > 0)
+        lines << tr("These cannot be laid flat either: %1 and %n more", nullptr, static_cast<int>(unnamed))
+                     .arg(others.first(mostNames).join(QStringLiteral(", ")));
+    else if (!others.empty())
+        lines << tr("These cannot be laid flat either: %1").arg(others.join(QStringLiteral(", ")));
+    if (!m_divide->isChecked() && !form.refused.empty())
+        lines << tr("A mark at \"where it would not lie flat\" divides it.");
+    for (const Message& note : form.notes)
+        lines << translated(note);
+    m_said->setText(lines.join('\n'));
+}
+
+/// For the history: which form, and whether it was made before.
+Message FormPatternWindow::verb(bool again) const
+{
+    std::string name;
+    if (frame())
+        name = frame()->name;
+    else if (m_form->currentData().toString() == "file")
+        name = QFileInfo(m_file).fileName().toStdString();
+    if (name.empty())
+        return {again ? QT_TRANSLATE_NOOP("Message", "Make the pattern of a form again")
+                      : QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"),
+                {}};
+    return {again ? QT_TRANSLATE_NOOP("Message", "Make the pattern of %1 again")
+                  : QT_TRANSLATE_NOOP("Message", "Make the pattern of %1"),
+            {name}};
+}
+
 void FormPatternWindow::make()
 {
     if (!made())
         return;
     m_document.cancelGesture();
     Design rest = m_document.design();
-    if (m_replace->isVisible() && m_replace->isChecked())
+    const bool again = m_replace->isVisible() && m_replace->isChecked();
+    if (again)
         rest = rest.with(edits::removeElements(rest, edits::earlierPieces(rest, m_made->pattern.design)));
     Box2 there, own;
     rest.each<Patch>([&](ElementId, const Patch& patch) {
@@ -635,8 +774,7 @@ void FormPatternWindow::make()
         return;
     }
     const std::vector<ElementId> added = edits::addedPieces(outcome.edit);
-    m_document.commit(editBetween(m_document.design(), rest.with(outcome.edit),
-                                  {QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"), {}}));
+    m_document.commit(editBetween(m_document.design(), rest.with(outcome.edit), verb(again)));
     Box3 where;
     for (const Vec3& point : m_made->form.points)
         where.extend(point);
@@ -657,6 +795,8 @@ void FormPatternWindow::documentChanged()
     const bool moved = !m_document.gestureRunning() && takeMesh(); // else when the frame is let go
     if (!sameLines || moved)
         ask(m_document.gestureRunning());
+    else if (made())
+        say(); // of the frame, too
 }
 
 } // namespace bolster

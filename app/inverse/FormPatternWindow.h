@@ -8,15 +8,17 @@
 #include "SurfaceMesh.h"
 
 #include <QDialog>
+#include <QVariant>
 
 #include <memory>
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
+class QStackedWidget;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace bolster {
 
@@ -27,12 +29,24 @@ class RunningJob;
 class ShownScene;
 class SolverLink;
 
+/// What the window was filled in with, to be filled in again.
+struct FormPatternWishes {
+    bool known = false; ///< else what is usual counts
+    QVariant form, fabric;
+    QString file;
+    int grain = 0;
+    std::vector<bool> ticks; ///< of the ways it is cut
+    double angle = 0;        ///< degrees
+};
+
 class FormPatternWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// `scene`: where lines show how the form is cut.
-    FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene, QWidget* parent = nullptr);
+    /// `scene`: where lines show how the form is cut. Begins as `remembered` says, which says then how it was when
+    /// it was closed.
+    FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene,
+                      std::shared_ptr<FormPatternWishes> remembered, QWidget* parent = nullptr);
     ~FormPatternWindow() override;
 
     /// What was made of the wishes as they are now, whole; null while it is being made, or cannot be.
@@ -45,8 +59,13 @@ signals:
 private:
     void build();
     QWidget* buildWishes();
+    QLayout* buildProgress();
+    void fillIn(const FormPatternWishes& wishes);
+    FormPatternWishes wishes() const;
+    std::vector<QCheckBox*> waysToCut() const;
     void fillForms();
     void fillLines();
+    std::vector<QTreeWidgetItem*> lineItems() const;
     int largestFrame() const;
     void fillFabrics();
     void chooseFile();
@@ -58,6 +77,7 @@ private:
     void clear();
     void take(FormMade made);
     void say();
+    void sayProblem();
     void showOnForm();
     void offerToReplace();
     void make();
@@ -70,11 +90,13 @@ private:
     std::shared_ptr<const TriangleMesh> mesh() const;
     ElementPtr frameElement() const;
     bool takeMesh();
+    Message verb(bool again) const;
 
     DesignSession& m_session;
     Document& m_document;
     SolverLink& m_solver;
     ShownScene& m_scene;
+    std::shared_ptr<FormPatternWishes> m_remembered;
     QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
     QString m_file;
     QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr,
@@ -84,13 +106,15 @@ private:
     FlatPiecesView* m_view = nullptr;
     QLabel* m_said = nullptr;
     QPushButton *m_make = nullptr, *m_stop = nullptr;
-    QProgressBar* m_busy = nullptr;
-    Design m_drawn; ///< of which the lines are
+    QStackedWidget* m_progress = nullptr;
+    QWidget *m_idle = nullptr, *m_busy = nullptr, *m_stopped = nullptr; ///< its pages
+    Design m_drawn;                                                     ///< of which the lines are
     std::shared_ptr<const TriangleMesh> m_mesh;
     ElementPtr m_meshOf; ///< the frame that it is of; null: of no frame
     std::shared_ptr<const FormMade> m_made;
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
+    bool m_drafted = false;                ///< what was asked for last was a draft
     bool m_upToDate = false;
     bool m_ofFile = false;                 ///< the form; lines of the design are not ticked for it
     LatestJob<FormWanted, FormMade> m_job; ///< last: it uses the others

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace bolster {
 namespace {
@@ -119,6 +120,26 @@ protected:
     {
         designer.choose({"Pattern", "Fit to a goal"});
         return window.findChild<PatternFitWindow*>();
+    }
+
+    static bool says(const QWidget& dialog, const QString& words)
+    {
+        return std::ranges::any_of(dialog.findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    }
+
+    QString lastStep()
+    {
+        const History& history = window.document().history();
+        return QString::fromStdString(history.node(history.current()).edit.verb.english());
+    }
+
+    static QCheckBox* box(const QWidget& dialog, const QString& words)
+    {
+        for (auto* box : dialog.findChildren<QCheckBox*>())
+            if (box->text().remove('&').contains(words))
+                return box;
+        return nullptr;
     }
 
     /// One step leads back to this design.
@@ -216,8 +237,18 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
         std::ranges::find_if(boxes, [](const QCheckBox* box) { return box->text().contains("Replace"); });
     ASSERT_NE(replace, boxes.end());
     EXPECT_TRUE((*replace)->text().contains("5"));
+    const auto* lines = dialog->findChild<QTreeWidget*>();
+    ASSERT_EQ(lines->topLevelItemCount(), 5) << "the four that were drawn, and what holds the cover in one";
+    const QTreeWidgetItem* holding = lines->topLevelItem(4);
+    EXPECT_EQ(holding->childCount(), curves - 4);
+    EXPECT_FALSE(holding->isExpanded());
+    std::set<QString> names;
+    for (int k = 0; k < holding->childCount(); ++k)
+        names.insert(holding->child(k)->text(0));
+    EXPECT_EQ(std::ssize(names), curves - 4) << "each has its own";
     QTest::mouseClick(*replace, Qt::LeftButton, {}, {8, (*replace)->height() / 2});
     pressIn(*dialog, "Make the pattern");
+    EXPECT_EQ(lastStep(), "Make the pattern of Bucket again");
     EXPECT_EQ(count<Patch>(), 5);
     EXPECT_EQ(count<FixationCurve>(), curves);
     takeKeyboard();
@@ -236,6 +267,12 @@ TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)
     auto* dialog = window.findChild<FormPatternWindow*>();
     ASSERT_TRUE(dialog);
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    EXPECT_TRUE(says(*dialog, "Keeps the cover outside"));
+    Frame keeps = *design().find<Frame>(id);
+    keeps.contact = true;
+    window.document().commit({{}, {{id, design().element(id), makeElement(keeps)}}});
+    EXPECT_TRUE(dialog->made()) << "its pieces are the same";
+    EXPECT_FALSE(says(*dialog, "Keeps the cover outside"));
     Frame moved = *design().find<Frame>(id);
     moved.position += Vec3(0, 0, 500);
     window.document().commit({{}, {{id, design().element(id), makeElement(moved)}}});
@@ -246,6 +283,77 @@ TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)
         box.extend(point);
     EXPECT_NEAR(box.min().z(), 500, 1e-6);
     EXPECT_NEAR(box.max().z(), 500 + bowlHeight, 1e-6);
+    dialog->close();
+}
+
+TEST_F(BothWaysTest, ClosedAndOpenedAgainTheFormIsCutAsBefore)
+{
+    writeBowl(folder.filePath("bowl.obj"));
+    openFrame("Bucket", "bowl.obj");
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    box(*dialog, "not lie flat")->click();
+    box(*dialog, "bends by more")->click();
+    dialog->findChild<NumberBox*>()->display(50);
+    dialog->close();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.findChild<FormPatternWindow*>(); }, 10000));
+    designer.choose({"Pattern", "From a form"});
+    dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_TRUE(box(*dialog, "not lie flat")->isChecked());
+    EXPECT_TRUE(box(*dialog, "bends by more")->isChecked());
+    EXPECT_EQ(dialog->findChild<NumberBox*>()->value(), 50);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 120000)) << "and begins at once";
+
+    ASSERT_TRUE(open(sample("pillow"))); // another design is cut as usual
+    designer.choose({"Pattern", "From a form"});
+    dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_FALSE(box(*dialog, "not lie flat")->isChecked());
+    dialog->close();
+}
+
+TEST_F(BothWaysTest, StoppedItKeepsThePiecesFromBefore)
+{
+    writeBowl(folder.filePath("bowl.obj"));
+    openFrame("Bucket", "bowl.obj");
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    box(*dialog, "not lie flat")->click();
+    pressIn(*dialog, "Stop");
+    EXPECT_TRUE(says(*dialog, "These are the pieces from before."));
+    EXPECT_FALSE(dialog->made()) << "they are not what is asked for";
+    auto* pieces = dialog->findChild<FlatPiecesView*>();
+    QTest::mouseMove(pieces, {pieces->width() / 2, pieces->height() / 2 - 20});
+    EXPECT_TRUE(pieces->hovered());
+    dialog->close();
+}
+
+TEST_F(BothWaysTest, EveryPartThatCannotBeLaidFlatIsNamed)
+{
+    QString text;
+    int first = 1;
+    for (const char* name : {"Left", "Right", "Seat"}) {
+        const int x = 500 * first;
+        text += QString("g %1\nv %2 0 0\nv %3 0 0\nv %2 400 0\nv %2 0 300\n").arg(name).arg(x).arg(x + 400);
+        text += QString("f %1 %3 %2\nf %1 %2 %4\nf %2 %3 %4\nf %3 %1 %4\n")
+                    .arg(first)
+                    .arg(first + 1)
+                    .arg(first + 2)
+                    .arg(first + 3);
+        first += 4;
+    }
+    writeText(folder.filePath("three.obj"), text.toStdString());
+    openFrame("Three", "three.obj");
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    EXPECT_TRUE(says(*dialog, "Left is closed all around"));
+    EXPECT_TRUE(says(*dialog, "These cannot be laid flat either: Right, Seat"));
     dialog->close();
 }
 
@@ -287,8 +395,18 @@ f 4 1 5 8
     ASSERT_NE(divide, boxes.end());
     QTest::mouseClick(*divide, Qt::LeftButton, {}, {8, (*divide)->height() / 2});
     ASSERT_TRUE((*divide)->isChecked());
-    pressIn(*dialog, "Stop");
-    EXPECT_TRUE(says("It was stopped."));
+    const QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();
+    const auto stop =
+        std::ranges::find_if(buttons, [](QPushButton* button) { return button->text().remove('&') == "Stop"; });
+    ASSERT_NE(stop, buttons.end());
+    const QPoint place = (*stop)->mapTo(dialog, (*stop)->rect().center());
+    for (int twice = 0; twice < 2; ++twice) {
+        QWidget* there = dialog->childAt(place);
+        QTest::mouseClick(there ? there : dialog, Qt::LeftButton, {},
+                          there ? there->mapFrom(dialog, place) : place);
+    }
+    EXPECT_TRUE(says("It was stopped.")) << "the second click begins nothing";
+    EXPECT_FALSE((*stop)->isVisible());
     EXPECT_FALSE(dialog->made());
     pressIn(*dialog, "Lay it flat");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() && dialog->made()->problem.empty(); }, 120000));
@@ -304,7 +422,16 @@ f 4 1 5 8
         QTest::mouseMove(pieces, {x, pieces->height() / 2 - 20});
     ASSERT_TRUE(pieces->hovered());
     EXPECT_EQ(drawn(4), 1) << "and that under the pointer";
+    const auto seen = [&] { return window.patternView().navigation().transform().matrix(); };
+    const QTransform before = seen();
     pressIn(*dialog, "Make the pattern");
+    EXPECT_EQ(lastStep(), "Make the pattern of Box");
+    const QTransform after = seen();
+    EXPECT_NE(after, before);
+    window.document().undo();
+    EXPECT_EQ(seen(), before) << "what was seen before is seen again";
+    window.document().redo();
+    EXPECT_EQ(seen(), after);
     EXPECT_TRUE(QTest::qWaitFor([&] { return drawn(4) == 0; }, 10000));
     EXPECT_GE(count<Patch>(), 1);
     EXPECT_LE(count<Patch>(), 6);

@@ -14,15 +14,50 @@
 
 namespace bolster {
 
+namespace {
+
+/// Shows the pattern as it was seen before the last step when that is undone, and as it is seen now when it is made
+/// again, unless somebody has looked elsewhere meanwhile.
+class ViewOfStep : public QObject {
+public:
+    ViewOfStep(const Document& document, PatternNavigation& pattern, const PatternTransform& before)
+        : m_pattern(pattern)
+        , m_step(document.history().current())
+        , m_stepBefore(document.history().node(m_step).parent)
+        , m_before(before)
+        , m_after(pattern.transform())
+    {
+        connect(&document, &Document::historyChanged, this, [this, &document] {
+            const NodeId now = document.history().current();
+            if (now == m_stepBefore && m_pattern.transform().matrix() == m_after.matrix())
+                m_pattern.setTransform(m_before);
+            else if (now == m_step && m_pattern.transform().matrix() == m_before.matrix())
+                m_pattern.setTransform(m_after);
+        });
+    }
+
+private:
+    PatternNavigation& m_pattern;
+    NodeId m_step, m_stepBefore;
+    PatternTransform m_before, m_after;
+};
+
+} // namespace
+
 InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     : m_parts(parts)
-    , m_alsoThere(commands.list({"edit.undo", "edit.redo", "file.save", "file.quit"}))
+    , m_alsoThere(commands.list({"edit.undo", "edit.redo", "file.save", "file.quit", "pattern.from-form",
+                                 "pattern.fit", "pattern.relieve", "pattern.explain", "pattern.tolerances"}))
+    , m_formWishes(std::make_shared<FormPatternWishes>())
     , m_fitWishes(std::make_shared<FitWishes>())
 {
     addCommands(commands);
     // What was wished for another design, by a window that is about to close, too, is of no use for this one.
-    connect(&parts.session.document(), &Document::historyReplaced, this,
-            [this] { m_fitWishes = std::make_shared<FitWishes>(); });
+    connect(&parts.session.document(), &Document::historyReplaced, this, [this] {
+        m_viewOfStep.reset();
+        m_formWishes = std::make_shared<FormPatternWishes>();
+        m_fitWishes = std::make_shared<FitWishes>();
+    });
 }
 
 void InverseCommands::addCommands(Commands& commands)
@@ -110,11 +145,15 @@ void InverseCommands::show(QPointer<QDialog>& dialog, const Make& make)
 
 QDialog* InverseCommands::formWindow()
 {
-    auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, m_parts.cover.shown(), &m_parts.window);
+    auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, m_parts.cover.shown(), m_formWishes,
+                                         &m_parts.window);
     connect(window, &FormPatternWindow::patternMade, this,
             [this](const std::vector<ElementId>& added, const Box3& where) {
                 m_parts.selection.set({added.begin(), added.end()});
-                m_parts.pattern.navigation().fitAll();
+                PatternNavigation& pattern = m_parts.pattern.navigation();
+                const PatternTransform before = pattern.transform();
+                pattern.fitAll();
+                m_viewOfStep = std::make_unique<ViewOfStep>(m_parts.session.document(), pattern, before);
                 CoverNavigation& cover = m_parts.cover.navigation();
                 if (!cover.inPicture(where))
                     cover.fit(where);

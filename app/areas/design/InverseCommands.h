@@ -17,6 +17,7 @@ class Commands;
 class CoverView;
 class DesignSession;
 struct FitWishes;
+struct FormPatternWishes;
 class MapLink;
 class PatternView;
 class Selection;
@@ -46,8 +47,10 @@ private:
     void show(QPointer<QDialog>& dialog, const Make& make);
 
     Parts m_parts;
-    QList<QAction*> m_alsoThere;            ///< whose keys do in the windows what they do in the main one
-    std::shared_ptr<FitWishes> m_fitWishes; ///< of the design that is open
+    QList<QAction*> m_alsoThere;                     ///< whose keys do in the windows what they do in the main one
+    std::shared_ptr<FormPatternWishes> m_formWishes; ///< of the design that is open
+    std::shared_ptr<FitWishes> m_fitWishes;          ///< likewise
+    std::unique_ptr<QObject> m_viewOfStep;           ///< of the last pattern that was made of a form
     QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };
 
