@@ -17,19 +17,24 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
 namespace {
 
-constexpr QSize pictureSize{168, 126}; // without the screen's scale
+constexpr QSize pictureSize{240, 180}; // without the screen's scale
+constexpr double hardlyAny = 0.005;    // of the cover, over the limit
 
-QString gainText(double gain, const QString& less, const QString& more)
+/// Of the whole cover, in %.
+QString rmsFigure(double energy)
 {
-    return (gain < 0 ? more : less).arg(percentText(std::round(100 * std::abs(gain)) / 100));
+    return decimalText(100 * std::sqrt(std::max(0.0, energy)), 2, true);
 }
 
 } // namespace
@@ -96,9 +101,12 @@ void ReliefWindow::build()
     layout->addWidget(m_said);
     layout->addWidget(scroll, 1);
     layout->addWidget(buttons);
-    resize(520, 720);
+    const QRect screenArea = screen()->availableGeometry();
+    constexpr int titleBar = 40; // pixels, at most
+    resize(600, std::min(800, screenArea.height() - titleBar));
     if (const QWidget* window = parentWidget()) // over the cover's margin, as the fit to a goal
-        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+        move(window->geometry().right() - width() - 24,
+             std::min(window->geometry().top() + 80, screenArea.bottom() - height() - titleBar));
 }
 
 QWidget* ReliefWindow::buildOrder()
@@ -131,7 +139,9 @@ void ReliefWindow::find()
     if (!takeTyped(*this))
         return;
     m_document.cancelGesture();
-    forget({});
+    m_found.reset();
+    m_made.reset();
+    putAside({});
     m_start = m_document.committed();
     ReliefWanted wanted;
     wanted.number = m_run->newRun();
@@ -165,6 +175,7 @@ void ReliefWindow::take(ReliefFound found)
         return;
     }
     m_found = std::move(found);
+    m_aside = false;
     showFound();
 }
 
@@ -173,12 +184,17 @@ void ReliefWindow::showFound()
     const ReliefList& list = m_found->list;
     clearCards();
     if (!m_found->whole)
-        m_said->setText(tr("The best changes are being solved \u2026"));
+        m_said->setText(m_run->running() ? tr("The best changes are being solved \u2026")
+                                         : tr("Stopped. These are solved:"));
     else if (!(list.now.area > 0))
         m_said->setText(tr("Nothing is strained over the limit."));
     else if (m_found->pictures.empty())
         m_said->setText(
             tr("%1 of the cover is over the limit. No change relieves it.").arg(percentText(list.now.area)));
+    else if (list.now.area < hardlyAny)
+        m_said->setText(
+            tr("Hardly anything is over the limit: there is little to gain. \"Make it\" is one step that "
+               "Undo takes back."));
     else
         m_said->setText(tr("Each is solved by itself; \"Make it\" is one step that Undo takes back."));
     addCard(m_found->now, tr("As it is now"),
@@ -226,9 +242,11 @@ QFrame* ReliefWindow::addCard(const QImage& picture, const QString& title, const
 void ReliefWindow::addRelief(std::size_t place)
 {
     const Relief& relief = m_found->list.reliefs[place];
-    QStringList lines{
-        gainText(relief.solved->energy, tr("%1 less strain over the limit"), tr("%1 more strain over the limit")),
-        gainText(relief.solved->area, tr("%1 less of the cover over it"), tr("%1 more of the cover over it"))};
+    const OverLimit& now = m_found->list.now;
+    QStringList lines{tr("Over the limit: %1 of the cover, then %2")
+                          .arg(percentText(now.area), percentText(now.area * (1 - relief.solved->area))),
+                      tr("Strain beyond the limit (rms): %1 %, then %2 %")
+                          .arg(rmsFigure(now.energy), rmsFigure(now.energy * (1 - relief.solved->energy)))};
     if (relief.sewn > 0)
         lines << (relief.kind == Relief::Kind::Dart
                       ? tr("Sewn: %1 more").arg(lengthText(relief.sewn, 0))
@@ -255,27 +273,42 @@ void ReliefWindow::make(std::size_t place)
     const Relief relief = m_found->list.reliefs[place];
     if (m_run->running())
         stop();
-    m_found.reset(); // what the commit makes of the design is no surprise
+    m_aside = true; // what the commit makes of the design is no surprise
     m_document.commit(relief.edit);
-    forget(tr("Made. Undo takes it back; look again to see what helps now."));
+    if (hasSameCover(m_document.committed(), m_start)) { // it was refused, which is said elsewhere
+        m_aside = false;
+        return;
+    }
+    m_made = m_document.committed();
+    putAside(tr("Made. Undo takes it back; look again to see what helps now."));
     m_selection.set({relief.element});
 }
 
-void ReliefWindow::forget(const QString& why)
+/// What was found is of no use for the design as it is now.
+void ReliefWindow::putAside(const QString& why)
 {
-    m_found.reset();
+    m_aside = true;
     clearCards();
     m_said->setText(why);
 }
 
-/// Who works on meanwhile has another design.
+/// Who works on meanwhile has another design; what was found comes back with the one that it was found for.
 void ReliefWindow::documentChanged()
 {
-    if ((!m_found && !m_run->running()) || hasSameCover(m_document.committed(), m_start))
+    if (!m_found && !m_run->running())
         return;
+    const Design& now = m_document.committed();
+    if (hasSameCover(now, m_start)) {
+        if (m_found && std::exchange(m_aside, false))
+            showFound();
+        return;
+    }
     if (m_run->running())
         stop();
-    forget(tr("The design has changed meanwhile: look again."));
+    if (m_made && hasSameCover(now, *m_made))
+        putAside(tr("Made. Undo takes it back; look again to see what helps now."));
+    else
+        putAside(tr("The design has changed meanwhile: look again, or undo that."));
 }
 
 } // namespace bolster

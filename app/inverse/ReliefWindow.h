@@ -28,7 +28,7 @@ public:
     ~ReliefWindow() override;
 
     /// Of the last search, as long as they are of the design as it is.
-    const ReliefList* found() const { return m_found ? &m_found->list : nullptr; }
+    const ReliefList* found() const { return m_found && !m_aside ? &m_found->list : nullptr; }
 
 private:
     void build();
@@ -41,7 +41,7 @@ private:
     QFrame* addCard(const QImage& picture, const QString& title, const QString& more);
     void addRelief(std::size_t place);
     void make(std::size_t place);
-    void forget(const QString& why);
+    void putAside(const QString& why);
     void documentChanged();
 
     DesignSession& m_session;
@@ -58,6 +58,8 @@ private:
 
     Design m_start; ///< of what is sought or was found
     std::optional<ReliefFound> m_found;
+    bool m_aside = false;                       ///< what was found: it is kept for when the design is m_start again
+    std::optional<Design> m_made;               ///< what the design has become by a relief of these
     LatestJob<ReliefWanted, ReliefFound> m_job; ///< last: it uses the others
 };
 

@@ -893,6 +893,13 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     ASSERT_TRUE(open(sample("box-cushion")));
     ASSERT_TRUE(waitUntilAtRest());
     designer.choose({"Pattern", "Tolerances"});
+    QTest::keyClick(dialog, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(writeDesign(design()), writeDesign(before));
+    ASSERT_TRUE(dialog->found()) << "it is the one again that they were found for";
+    EXPECT_FALSE(says("Made."));
+    EXPECT_TRUE(says("of the cover, then")) << "how much there is, not only by how much it becomes less";
+    pressIn(*dialog, "Make it");
+    EXPECT_EQ(writeDesign(design()), writeDesign(wanted));
     auto* dialog = window.findChild<SweepWindow*>();
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
