@@ -7,16 +7,20 @@
 #include "HeadedList.h"
 #include "PullNote.h"
 #include "RunRow.h"
+#include "ScanMeasure.h"
 #include "SolveFailure.h"
 #include "Translated.h"
 #include "Units.h"
+#include "WorkerPool.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -24,6 +28,8 @@ namespace {
 
 constexpr std::size_t shownCauses = 12;
 constexpr std::size_t namedAlike = 3;
+constexpr double hardlyAny = 0.005;         // of the deviation, or of all that is likely
+constexpr double mostTimesUsual = 3;        // as large as a cause usually is at most
 constexpr double shareOfDerivatives = 0.85; // of the time that it takes
 
 QString kindText(Cause::Kind kind)
@@ -50,21 +56,97 @@ QString causeText(const Design& design, const Cause& cause)
     return bolster::CauseWindow::tr("%1: %2").arg(kindText(cause.kind), displayName(design, cause.element));
 }
 
-/// "+3.1 ± 0.4 mm", of each number.
+/// Which way a cause goes that has one number: words for more and for less.
+std::pair<QString, QString> wordsOf(Cause::Kind kind)
+{
+    switch (kind) {
+    case Cause::Kind::Foam:
+        return {bolster::CauseWindow::tr("%1 thicker"), bolster::CauseWindow::tr("%1 thinner")};
+    case Cause::Kind::Strength:
+        return {bolster::CauseWindow::tr("%1 harder"), bolster::CauseWindow::tr("%1 softer")};
+    case Cause::Kind::Seam:
+        return {bolster::CauseWindow::tr("%1 farther out"), bolster::CauseWindow::tr("%1 farther in")};
+    case Cause::Kind::Stretch:
+        return {bolster::CauseWindow::tr("%1 larger"), bolster::CauseWindow::tr("%1 smaller")};
+    case Cause::Kind::Notch:
+        return {bolster::CauseWindow::tr("%1 counter-clockwise"), bolster::CauseWindow::tr("%1 clockwise")};
+    case Cause::Kind::Fixation:
+        break;
+    }
+    return {QStringLiteral("%1"), QStringLiteral("%1")};
+}
+
+/// "3.1 \u00b1 0.4 mm thicker"; of places along each axis.
 QString amountText(const Explanation& one, Cause::Kind kind)
 {
-    QStringList numbers;
     const QString unit = u' ' + QString::fromLatin1(unitOf(kind));
     const bool lengths = unit == millimetreSuffix;
     const auto figure = [&](double value) {
         return lengths ? steadyLengthFigure(value) : decimalText(value, 1, true);
     };
-    const bool axes = one.values.size() == 3;
+    const auto within = [&](double value, Eigen::Index k) {
+        return figure(value) + QStringLiteral(" \u00b1 ") + figure(one.spreads[k]);
+    };
+    const QString suffix = lengths ? lengthSuffix() : unit;
+    if (kind != Cause::Kind::Fixation) {
+        const auto& [more, less] = wordsOf(kind);
+        return (one.values[0] < 0 ? less : more).arg(within(std::abs(one.values[0]), 0) + suffix);
+    }
+    QStringList numbers;
     for (Eigen::Index k = 0; k < one.values.size(); ++k)
-        numbers << (axes ? QStringLiteral("xyz").mid(k, 1) + u' ' : QString()) +
-                       (one.values[k] > 0 ? QStringLiteral("+") : QString()) + figure(one.values[k]) +
-                       QStringLiteral(" \u00b1 ") + figure(one.spreads[k]);
-    return numbers.join(QStringLiteral(", ")) + (lengths ? lengthSuffix() : unit);
+        numbers << QStringLiteral("xyz").mid(k, 1) + u' ' + (one.values[k] > 0 ? QStringLiteral("+") : QString()) +
+                       within(one.values[k], k);
+    return numbers.join(QStringLiteral(", ")) + suffix;
+}
+
+/// What the words of an amount mean, where that is not plain.
+QString amountTip(const Design& design, const Cause& cause)
+{
+    const auto* patch = design.find<Patch>(cause.numbers.front().freedoms.front().element);
+    if (cause.kind == Cause::Kind::Seam)
+        return bolster::CauseWindow::tr("Farther out: the allowance was taken narrower, on both sides");
+    if (cause.kind == Cause::Kind::Notch && patch)
+        return bolster::CauseWindow::tr("Along the edge of %1, as it lies in the pattern")
+            .arg(isolated(QString::fromStdString(patch->name)));
+    return {};
+}
+
+/// How many times as large as such a cause usually is at most.
+double timesUsual(const Explanation& one, const Cause& cause)
+{
+    double most = 0;
+    for (Eigen::Index k = 0; k < one.values.size(); ++k) {
+        const Tolerance& tolerance = cause.numbers[static_cast<std::size_t>(k)];
+        most = std::max(most, std::abs(one.values[k]) / (2 * tolerance.spread * unitOf(tolerance)));
+    }
+    return most;
+}
+
+/// Whole per cents; what is less than one is not nothing.
+QString wholePercent(double ratio)
+{
+    const double percent = std::round(100 * ratio);
+    return percent < 1 ? bolster::CauseWindow::tr("below %1").arg(percentText(0.01)) : percentText(percent / 100);
+}
+
+/// The likely ones first; of those that are hardly likely the ones that explain more. Nothing is said of what
+/// explains nothing, or would have to be so large that it was not even solved.
+std::vector<std::size_t> rowsOf(const Explanations& explained, const std::vector<Cause>& causes)
+{
+    std::vector<std::size_t> rows;
+    const auto& ranked = explained.ranked;
+    for (std::size_t k = 0; k < ranked.size(); ++k) {
+        const bool matters = ranked[k].probability >= hardlyAny || ranked[k].share >= hardlyAny;
+        if (matters && (ranked[k].solved || timesUsual(ranked[k], causes[ranked[k].cause]) <= mostTimesUsual))
+            rows.push_back(k);
+    }
+    std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
+        const double first = std::round(100 * ranked[a].probability),
+                     second = std::round(100 * ranked[b].probability);
+        return first != second ? first > second : ranked[a].share > ranked[b].share;
+    });
+    rows.resize(std::min(rows.size(), shownCauses));
+    return rows;
 }
 
 } // namespace
@@ -148,6 +230,8 @@ CauseWindow::Found CauseWindow::explain(const Wanted& wanted, const std::functio
             return found;
         found.causes = finder.causes();
         found.explained = finder.explain(scan, sound, stop);
+        WorkerPool pool(0);
+        found.toNearest = measureScan(*finder.nominal(), scan.place, scan.index, pool).figures.rms;
     } catch (const std::exception& error) {
         found.problem = failureMessage(error);
     }
@@ -207,8 +291,15 @@ void CauseWindow::say()
         m_said->setText(tr("The scan lies on the cover: there is nothing to explain."));
         return;
     }
-    QStringList lines{tr("The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.")
-                          .arg(percentText(all.covered), lengthText(all.rms, 2), lengthText(all.noise, 2))};
+    QStringList lines{
+        m_found->sound
+            ? tr("The scan shows %1 of the cover and lies %2 (rms) from it. All causes together leave %3.")
+                  .arg(percentText(all.covered), lengthText(all.rms, 2), lengthText(all.noise, 2))
+            : tr("The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes "
+                 "together "
+                 "leave %3. From the cover to the nearest point, as a fit measures, it is %4.")
+                  .arg(percentText(all.covered), lengthText(all.rms, 2), lengthText(all.noise, 2),
+                       lengthText(m_found->toNearest, 2))};
     if (all.none > 0.5)
         lines << tr("No single cause explains that better than noise does.");
     if (all.weak())
@@ -222,14 +313,14 @@ void CauseWindow::say()
 
 void CauseWindow::fill()
 {
-    const std::vector<Explanation>& ranked = m_found->explained.ranked;
-    for (std::size_t k = 0; k < std::min(shownCauses, ranked.size()); ++k) {
-        const Cause& cause = m_found->causes[ranked[k].cause];
-        auto* row =
-            new QTreeWidgetItem(m_list, {causeText(m_found->design, cause), amountText(ranked[k], cause.kind),
-                                         percentText(std::round(100 * std::max(ranked[k].share, 0.0)) / 100),
-                                         percentText(std::round(100 * ranked[k].probability) / 100)});
+    m_rows = rowsOf(m_found->explained, m_found->causes);
+    for (const std::size_t k : m_rows) {
+        const Explanation& one = m_found->explained.ranked[k];
+        const Cause& cause = m_found->causes[one.cause];
+        auto* row = new QTreeWidgetItem(m_list, {causeText(m_found->design, cause), amountText(one, cause.kind),
+                                                 wholePercent(one.share), wholePercent(one.probability)});
         row->setToolTip(0, row->text(0));
+        row->setToolTip(1, amountTip(m_found->design, cause));
         for (const int column : {1, 2, 3})
             row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
@@ -242,7 +333,7 @@ void CauseWindow::rowChosen()
     const int row = m_list->indexOfTopLevelItem(m_list->currentItem());
     if (!m_found || row < 0)
         return;
-    const Explanation& one = m_found->explained.ranked[static_cast<std::size_t>(row)];
+    const Explanation& one = m_found->explained.ranked[m_rows[static_cast<std::size_t>(row)]];
     if (const ElementId id = m_found->causes[one.cause].element; m_document.design().element(id))
         m_selection.set({id});
     QStringList names;
@@ -250,9 +341,12 @@ void CauseWindow::rowChosen()
         names << causeText(m_found->design, m_found->causes[one.alike[k]]);
     if (one.alike.size() > namedAlike)
         names << tr("and %n others", nullptr, static_cast<int>(one.alike.size() - namedAlike));
-    m_alike->setText(names.empty()
-                         ? QString()
-                         : tr("The scan does not tell it apart from: %1").arg(names.join(QStringLiteral("; "))));
+    QStringList lines;
+    if (timesUsual(one, m_found->causes[one.cause]) > 2)
+        lines << tr("That is far more than such a cause usually is: there may be several, or others than these.");
+    if (!names.empty())
+        lines << tr("The scan does not tell it apart from: %1").arg(names.join(QStringLiteral("; ")));
+    m_alike->setText(lines.join(u'\n'));
 }
 
 /// What is said stays: it is of the piece, which was built from the design as it was.

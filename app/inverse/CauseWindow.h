@@ -10,6 +10,7 @@
 #include <QDialog>
 
 #include <optional>
+#include <vector>
 
 class QLabel;
 class QTreeWidget;
@@ -33,7 +34,8 @@ public:
         Design design;   ///< that the piece was compared with
         std::vector<Cause> causes;
         Explanations explained;
-        bool sound = false; ///< with the scan of a sound piece
+        bool sound = false;   ///< with the scan of a sound piece
+        double toNearest = 0; ///< mm, rms, from the cover to the scan's nearest points, as fits measure
     };
     /// The last answer, also while another one is looked for or after that was stopped; nothing before the first.
     const std::optional<Found>& found() const { return m_found; }
@@ -67,7 +69,8 @@ private:
 
     Design m_start; ///< of what is sought
     std::optional<Found> m_found;
-    LatestJob<Wanted, Found> m_job; ///< last: it uses the others
+    std::vector<std::size_t> m_rows; ///< of the list: which of those that are ranked
+    LatestJob<Wanted, Found> m_job;  ///< last: it uses the others
 };
 
 } // namespace bolster

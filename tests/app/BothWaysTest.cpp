@@ -947,6 +947,9 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
                                    [&](const QLabel* label) { return label->text().contains(words); });
     };
     EXPECT_TRUE(says("Stopped."));
+    EXPECT_TRUE(list->topLevelItem(0)->text(1).endsWith("larger")) << list->topLevelItem(0)->text(1).toStdString();
+    for (int row = 0; row < list->topLevelItemCount(); ++row)
+        EXPECT_NE(list->topLevelItem(row)->text(2), "0 %") << "what explains nothing is no answer";
     EXPECT_TRUE(says("95 % of the pieces do not exceed")) << "what was solved until then counts";
     EXPECT_TRUE(says("solved pieces. \u00b1 is what many more of them may change."));
     EXPECT_TRUE(says(" \u00b1 "));
