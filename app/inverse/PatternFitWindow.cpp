@@ -12,6 +12,7 @@
 #include "Units.h"
 
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -101,6 +103,9 @@ void PatternFitWindow::build()
     m_said->setWordWrap(true);
     m_said->setMinimumHeight(2 * m_said->fontMetrics().lineSpacing());
     m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_notes = new QLabel(this);
+    m_notes->setWordWrap(true);
+    m_notes->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_take = buttons->addButton(tr("&Take the changes"), QDialogButtonBox::AcceptRole);
     connect(m_take, &QPushButton::clicked, this, &PatternFitWindow::commit);
@@ -129,25 +134,36 @@ QWidget* PatternFitWindow::buildOutcome()
     m_patches->setToolTip(tr("What is ticked is changed"));
     m_patches->setMinimumHeight(5 * m_patches->fontMetrics().lineSpacing());
     connect(m_patches, &QTreeWidget::itemChanged, this, &PatternFitWindow::preview);
+    m_arrowsSaid = new QLabel(m_outcome);
+    auto* rows = new QVBoxLayout(m_outcome);
+    rows->setContentsMargins({});
+    rows->addWidget(m_patches, 1);
+    rows->addLayout(buildShare());
+    rows->addWidget(m_arrowsSaid);
+    rows->addWidget(m_notes);
+    return m_outcome;
+}
+
+QLayout* PatternFitWindow::buildShare()
+{
     m_share = new QSlider(Qt::Horizontal, m_outcome);
     m_share->setRange(0, 100);
     m_share->setValue(100);
-    connect(m_share, &QSlider::valueChanged, this, &PatternFitWindow::preview);
     auto* label = new QLabel(tr("&How much of it"), m_outcome);
     label->setBuddy(m_share);
-    m_shareSaid = new QLabel(m_outcome);
-    m_shareSaid->setMinimumWidth(m_shareSaid->fontMetrics().horizontalAdvance(percentText(1)));
+    m_percent = new NumberBox({tr(" %"), 0, 0, 100, 5}, m_outcome);
+    m_percent->setAccessibleName(label->text().remove(u'&'));
+    m_percent->display(100);
+    connect(m_share, &QSlider::valueChanged, this, [this](int percent) {
+        m_percent->display(percent);
+        preview();
+    });
+    connect(m_percent, &NumberBox::entered, this, [this](double percent) { m_share->setValue(qRound(percent)); });
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(m_share, 1);
-    row->addWidget(m_shareSaid);
-    auto* rows = new QVBoxLayout(m_outcome);
-    rows->setContentsMargins({});
-    m_arrowsSaid = new QLabel(m_outcome);
-    rows->addWidget(m_patches, 1);
-    rows->addLayout(row);
-    rows->addWidget(m_arrowsSaid);
-    return m_outcome;
+    row->addWidget(m_percent);
+    return row;
 }
 
 void PatternFitWindow::find()
@@ -155,12 +171,12 @@ void PatternFitWindow::find()
     if (!takeTyped(*this))
         return;
     m_document.cancelGesture();
-    forget({});
     FitOrder wanted = m_order->order();
     if (const QString missing = m_order->missing(wanted, [this] { find(); }); !missing.isEmpty()) {
         m_said->setText(missing);
         return;
     }
+    forget({});
     m_sought = m_order->goals();
     m_start = m_document.committed();
     setRunning(true);
@@ -186,8 +202,8 @@ void PatternFitWindow::stop()
 void PatternFitWindow::setRunning(bool running)
 {
     m_run->setRunning(running);
-    m_outcome->setVisible(m_found.has_value());
-    m_take->setEnabled(m_found.has_value());
+    m_outcome->setVisible(hasFound());
+    m_take->setEnabled(hasFound());
 }
 
 void PatternFitWindow::showProgress(double share, const FitRound& round)
@@ -242,30 +258,38 @@ void PatternFitWindow::show(FitFound found, const QString& lead, const std::opti
 }
 
 /// What the cover is like with what is shown; while that is being measured, its figures are not there.
-void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>& now)
+void PatternFitWindow::say(const std::optional<FitFigures>& now)
 {
-    const FitResult& result = m_found->result;
-    const FitFigures& before = result.before;
+    m_shown = now;
+    m_said->setText((QStringList(lead()) + figures(now)).join('\n'));
+    if (now)
+        m_notes->setText(notes(*now).join('\n'));
+    // What is below stays under the pointer when a line goes.
+    for (QLabel* label : {m_said, m_notes})
+        label->setMinimumHeight(std::max(label->minimumHeight(), label->heightForWidth(m_said->width())));
+}
+
+/// As many lines whatever is shown.
+QStringList PatternFitWindow::figures(const std::optional<FitFigures>& now) const
+{
+    const FitFigures& before = m_found->result.before;
     const auto length = [&](double FitFigures::*figure) {
         return now ? lengthText((*now).*figure, 2) : QStringLiteral("\u2026");
     };
     const auto share = [&](double FitFigures::*figure) {
         return now ? percentText((*now).*figure) : QStringLiteral("\u2026");
     };
-    QStringList lines{lead};
+    QStringList lines;
     if (m_sought.lies)
         lines << tr("From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
                      .arg(lengthText(before.distanceRms, 2), length(&FitFigures::distanceRms),
                           lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95));
-    constexpr double notable = 0.005; // of the cover
     const bool inArea = !m_wanted.order.goals.area.isAll();
-    if (m_sought.strained || (now ? now->overLimit : result.after.overLimit) > before.overLimit + notable)
-        lines << (!m_sought.strained ? tr("Strained over what the fabrics allow: %1 before, %2 now")
-                  : inArea           ? tr("Strained over the limit: %1 of the painted area before, %2 now")
-                                     : tr("Strained over the limit: %1 of the cover before, %2 now"))
-                     .arg(percentText(before.overLimit), share(&FitFigures::overLimit));
-    if (m_sought.lies && now && strainsForLittle(before, *now))
-        lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
+    lines << (!m_sought.strained ? inArea ? tr("Over the fabrics' limits: %1 of the painted area before, %2 now")
+                                          : tr("Over the fabrics' limits: %1 of the cover before, %2 now")
+              : inArea ? tr("Strained over the limit: %1 of the painted area before, %2 now")
+                                 : tr("Strained over the limit: %1 of the cover before, %2 now"))
+                 .arg(percentText(before.overLimit), share(&FitFigures::overLimit));
     if (m_sought.smooth)
         lines << tr("Pressed together: %1 before, %2 now")
                      .arg(percentText(before.pressed), share(&FitFigures::pressed));
@@ -275,23 +299,47 @@ void PatternFitWindow::say(const QString& lead, const std::optional<FitFigures>&
     if (m_sought.sized)
         lines << tr("Off the area that is wanted: %1 before, %2 now")
                      .arg(percentText(before.sizeMost), share(&FitFigures::sizeMost));
-    lines << tr("The cover moves by %1 (rms).").arg(length(&FitFigures::shapeRms));
-    if (now && missesLengths(m_wanted.order.locks, before, *now))
+    return lines << tr("The cover moves by %1 (rms).").arg(length(&FitFigures::shapeRms));
+}
+
+/// What is to be thought of before it is taken.
+QStringList PatternFitWindow::notes(const FitFigures& now) const
+{
+    const FitResult& result = m_found->result;
+    const FitFigures& before = result.before;
+    QStringList lines;
+    if (m_sought.lies && strainsForLittle(before, now))
+        lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
+    if (missesLengths(m_wanted.order.locks, before, now))
         lines
             << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "
                   "ease change.")
-                   .arg(lengthText(now->sewnMost));
-    if (now && mendsLengths(m_wanted.order.locks, before, *now))
+                   .arg(lengthText(now.sewnMost));
+    if (mendsLengths(m_wanted.order.locks, before, now))
         lines << tr("Sides of seams off their ease: up to %1 before, %2 now")
-                     .arg(lengthText(before.sewnMost), lengthText(now->sewnMost));
+                     .arg(lengthText(before.sewnMost), lengthText(now.sewnMost));
     if (result.jumped)
         lines << tr("On the way a fold came or went: look at the cover before you take it.");
     if (!result.idle.empty())
         lines << tr("%n of the numbers that may change do nothing here.", nullptr,
                     static_cast<int>(result.idle.size()));
-    m_said->setText(lines.join('\n'));
-    // The list below stays under the pointer when a line goes.
-    m_said->setMinimumHeight(std::max(m_said->minimumHeight(), m_said->heightForWidth(m_said->width())));
+    return lines;
+}
+
+/// For the history, in which one fit is not to look like the next.
+Message PatternFitWindow::verb() const
+{
+    const FitForm& form = m_wanted.form;
+    const std::string name = form.scan ? form.scan->name : QFileInfo(form.file).fileName().toStdString();
+    if (m_sought.lies && m_shown)
+        return {QT_TRANSLATE_NOOP("Message", "Fit the pattern to %1, %2 mm from it"),
+                {name, numberText(m_shown->distanceRms, 3)}};
+    if (m_sought.lies)
+        return {QT_TRANSLATE_NOOP("Message", "Fit the pattern to %1"), {name}};
+    if (m_sought.strained && m_shown)
+        return {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a limit of strain, %1 % of the cover over it"),
+                {numberText(100 * m_shown->overLimit, 2)}};
+    return {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}};
 }
 
 void PatternFitWindow::measure()
@@ -324,7 +372,7 @@ void PatternFitWindow::takePart(const PartFound& found)
     if (showsAll())
         m_whole = found.figures->after;
     m_take->setEnabled(m_share->value() > 0);
-    say(lead(), found.figures->after);
+    say(found.figures->after);
 }
 
 QString PatternFitWindow::lead() const
@@ -342,9 +390,9 @@ bool PatternFitWindow::showsAll() const
 
 void PatternFitWindow::fillPatches()
 {
-    const QSignalBlocker quiet(m_patches), quietShare(m_share);
+    const QSignalBlocker quiet(m_patches);
     m_patches->clear();
-    m_share->setValue(m_share->maximum());
+    showShare(m_share->maximum());
     std::set<ElementId> elements;
     for (std::size_t k = 0; k < m_found->freedoms.size(); ++k)
         if (m_found->result.values[static_cast<Eigen::Index>(k)] != 0)
@@ -354,6 +402,14 @@ void PatternFitWindow::fillPatches()
         row->setData(0, Qt::UserRole, number(id));
         row->setCheckState(0, Qt::Checked);
     }
+}
+
+/// Without making a change of that size.
+void PatternFitWindow::showShare(int percent)
+{
+    const QSignalBlocker quiet(m_share);
+    m_share->setValue(percent);
+    m_percent->display(percent);
 }
 
 /// By how much each of them moves with as much of the change as the slider says.
@@ -390,21 +446,19 @@ Design PatternFitWindow::designWith(const Eigen::VectorXd& values) const
 
 void PatternFitWindow::preview()
 {
-    if (!m_found)
+    if (!hasFound())
         return;
-    m_shareSaid->setText(percentText(m_share->value() / 100.0));
     sayMoves();
     endMeasuring();
     const std::optional<FitFigures> known = showsAll() ? m_whole : std::nullopt;
     m_take->setEnabled(m_share->value() > 0 && m_whole.has_value()); // what may be worse is not offered yet
-    say(lead(), known);
+    say(known);
     if (!known)
         m_slider.start();
     if (!m_gesture || !m_gesture->active())
         m_gesture.emplace(m_document, Gesture::Purpose::Preview);
     const Design changed = changedDesign();
-    m_gesture->update(
-        editBetween(m_start, changed, {QT_TRANSLATE_NOOP("Message", "Fit the pattern to a goal"), {}}));
+    m_gesture->update(editBetween(m_start, changed, verb()));
     const double pixel = 1 / m_pattern.navigation().transform().scale(); // mm
     const auto arrowsTo = [&](const Design& design, std::optional<double> longer) {
         return arrowsBetween(m_start, design, arrowsApart * pixel, longestArrow * pixel, longer);
@@ -422,26 +476,39 @@ void PatternFitWindow::commit()
 {
     if (!m_gesture || !m_gesture->active())
         preview();
-    m_found.reset(); // what the commit makes of the design is no surprise
+    m_gesture->update(editBetween(m_start, changedDesign(), verb())); // what is measured is known by now
+    m_aside = true; // what the commit makes of the design is no surprise
     m_gesture->commit();
-    forget(tr("Taken. Undo takes it back."));
+    if (m_document.committed() == m_start) { // it was refused, which is said elsewhere
+        m_aside = false;
+        showNothing({});
+        return;
+    }
     m_taken = m_document.committed();
+    putAside(tr("Taken. Undo takes it back."));
 }
 
 /// Undo, Escape or another gesture has taken back what is shown.
 void PatternFitWindow::previewEnded()
 {
-    if (!m_found || !m_gesture || m_gesture->active())
+    if (!hasFound() || !m_gesture || m_gesture->active())
         return;
+    m_shareBefore = m_share->value();
+    showNothing(tr("Nothing of the changes is shown now: move the slider to see them."));
+}
+
+/// What was found can be looked at again.
+void PatternFitWindow::showNothing(const QString& why)
+{
     m_gesture.reset();
-    const QSignalBlocker quiet(m_share);
-    m_share->setValue(0);
-    m_shareSaid->setText(percentText(0));
+    showShare(0);
+    sayMoves();
     m_arrowsSaid->clear();
+    m_notes->clear();
     m_pattern.showArrows({});
     m_take->setEnabled(false);
     endMeasuring();
-    m_said->setText(tr("Nothing of the changes is shown now: move the slider to see them."));
+    m_said->setText(why);
 }
 
 /// What was found is no longer of use.
@@ -449,11 +516,20 @@ void PatternFitWindow::forget(const QString& why)
 {
     m_found.reset();
     m_taken.reset();
+    for (QLabel* label : {m_said, m_notes})
+        label->setMinimumHeight(0);
+    putAside(why);
+}
+
+/// What was found is of no use for the design as it is now.
+void PatternFitWindow::putAside(const QString& why)
+{
+    m_aside = m_found.has_value();
+    m_shareBefore = 0;
     m_gesture.reset();
     endMeasuring();
     m_pattern.showArrows({});
     setRunning(m_run->running());
-    m_said->setMinimumHeight(0);
     m_said->setText(why);
 }
 
@@ -461,35 +537,36 @@ void PatternFitWindow::forget(const QString& why)
 void PatternFitWindow::documentChanged()
 {
     const Design& now = m_document.committed();
-    if (m_taken && !m_run->running()) {
-        m_said->setText(now == *m_taken  ? tr("Taken. Undo takes it back.")
-                        : now == m_start ? tr("Taken back.")
-                                         : QString());
-        return;
-    }
-    if ((!m_found && !m_run->running()) || now == m_start)
+    if ((!m_found && !m_run->running()) || (!m_aside && now == m_start))
         return;
     if (hasSameCover(now, m_start)) {
         m_start = now;
-        if (m_found)
-            showAgain();
+        comeBack();
     } else if (m_run->running()) {
         m_reached = {};
         stop();
         m_said->setText(tr("The design has changed meanwhile: find the changes again."));
     } else {
-        forget(tr("The design has changed meanwhile: find the changes again."));
+        putAside(!m_taken ? tr("The design has changed meanwhile: find the changes again, or undo that.")
+                 : hasSameCover(now, *m_taken) ? tr("Taken. Undo takes it back.")
+                                               : QString());
     }
 }
 
-/// After what was shown had to be taken back.
-void PatternFitWindow::showAgain()
+/// The design is the one again that the changes were found for, or nearly.
+void PatternFitWindow::comeBack()
 {
-    {
-        const QSignalBlocker quiet(m_share);
-        m_share->setValue(m_share->maximum());
+    if (!m_found)
+        return;
+    const bool wasAside = std::exchange(m_aside, false);
+    setRunning(m_run->running());
+    if (wasAside) {
+        showNothing(m_taken ? tr("Taken back. Move the slider to see the changes again.")
+                            : tr("Nothing of the changes is shown now: move the slider to see them."));
+    } else if (m_shareBefore > 0) {
+        showShare(m_shareBefore);
+        preview();
     }
-    preview();
 }
 
 } // namespace bolster

@@ -1,8 +1,12 @@
 // Says that a scan pulls at the cover that is shown, which the tools of this folder leave out, and switches that
-// off.
+// off and on.
 #pragma once
 
+#include "Design.h"
+
 #include <QLabel>
+
+#include <vector>
 
 namespace bolster {
 
@@ -17,10 +21,10 @@ public:
 
 private:
     void refresh();
-    void switchOff();
+    void switchOver();
 
     Document& m_document;
-    bool m_pulled = false; ///< now or before
+    std::vector<ElementId> m_pulling; ///< scans that pull, or did so before
 };
 
 } // namespace bolster
