@@ -32,6 +32,7 @@ namespace {
 
 constexpr double arrowsApart = 14;  // pixels
 constexpr double longestArrow = 45; // pixels
+constexpr int usualLines = 2;       // that there is always room for
 constexpr int restOfSlider = 250;   // ms, before a part of the changes is measured
 
 /// How far points of a patch would move at most with all of the change, mm.
@@ -45,6 +46,14 @@ double movedBy(const FitFound& found, ElementId patch)
             values.push_back(found.result.values[static_cast<Eigen::Index>(k)]);
         }
     return largestChange(own, Eigen::Map<Eigen::VectorXd>(values.data(), std::ssize(values)));
+}
+
+/// Room for a text, so many pixels wide; no less than there was before.
+void keepRoom(QLabel& label, int width, const QString& text)
+{
+    const QRect wide(0, 0, width, QWIDGETSIZE_MAX);
+    const int high = label.fontMetrics().boundingRect(wide, Qt::TextWordWrap, text).height();
+    label.setMinimumHeight(std::max(label.minimumHeight(), high));
 }
 
 } // namespace
@@ -101,11 +110,12 @@ void PatternFitWindow::build()
     connect(m_run, &RunRow::stopped, this, &PatternFitWindow::stop);
     m_said = new QLabel(this);
     m_said->setWordWrap(true);
-    m_said->setMinimumHeight(2 * m_said->fontMetrics().lineSpacing());
+    m_said->setMinimumHeight(usualLines * m_said->fontMetrics().lineSpacing());
     m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_notes = new QLabel(this);
     m_notes->setWordWrap(true);
     m_notes->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_notes->setMinimumHeight(usualLines * m_notes->fontMetrics().lineSpacing());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_take = buttons->addButton(tr("&Take the changes"), QDialogButtonBox::AcceptRole);
     connect(m_take, &QPushButton::clicked, this, &PatternFitWindow::commit);
@@ -116,6 +126,7 @@ void PatternFitWindow::build()
     layout->addWidget(m_run);
     layout->addWidget(m_said);
     layout->addWidget(buildOutcome(), 1);
+    layout->addWidget(m_notes); // not among the outcome: what wraps lines lets nothing beside it shrink
     layout->addStretch();
     layout->addWidget(buttons);
     const QRect screenArea = screen()->availableGeometry();
@@ -140,7 +151,6 @@ QWidget* PatternFitWindow::buildOutcome()
     rows->addWidget(m_patches, 1);
     rows->addLayout(buildShare());
     rows->addWidget(m_arrowsSaid);
-    rows->addWidget(m_notes);
     return m_outcome;
 }
 
@@ -203,6 +213,7 @@ void PatternFitWindow::setRunning(bool running)
 {
     m_run->setRunning(running);
     m_outcome->setVisible(hasFound());
+    m_notes->setVisible(hasFound());
     m_take->setEnabled(hasFound());
 }
 
@@ -261,12 +272,17 @@ void PatternFitWindow::show(FitFound found, const QString& lead, const std::opti
 void PatternFitWindow::say(const std::optional<FitFigures>& now)
 {
     m_shown = now;
-    m_said->setText((QStringList(lead()) + figures(now)).join('\n'));
+    const auto said = [&](const std::optional<FitFigures>& of) {
+        return (QStringList(lead()) + figures(of)).join('\n');
+    };
+    m_said->setText(said(now));
     if (now)
         m_notes->setText(notes(*now).join('\n'));
-    // What is below stays under the pointer when a line goes.
-    for (QLabel* label : {m_said, m_notes})
-        label->setMinimumHeight(std::max(label->minimumHeight(), label->heightForWidth(m_said->width())));
+    // What is below stays under the pointer, also when figures come and take more room.
+    keepRoom(*m_said, m_said->width(), said(m_found->result.before));
+    keepRoom(*m_notes, m_said->width(), m_notes->text());
+    if (const int needed = layout()->totalMinimumHeightForWidth(width()); needed > height())
+        resize(width(), needed); // else what is above would be cut off
 }
 
 /// As many lines whatever is shown.
@@ -401,6 +417,7 @@ void PatternFitWindow::fillPatches()
         auto* row = new QTreeWidgetItem(m_patches, {displayName(m_start, id)});
         row->setData(0, Qt::UserRole, number(id));
         row->setCheckState(0, Qt::Checked);
+        row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
 }
 
@@ -420,7 +437,7 @@ void PatternFitWindow::sayMoves()
         QTreeWidgetItem* item = m_patches->topLevelItem(row);
         const double all = movedBy(*m_found, static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt()));
         const bool moves = item->checkState(0) == Qt::Checked;
-        item->setText(1, lengthText(moves ? all * m_share->value() / m_share->maximum() : 0, 1));
+        item->setText(1, steadyLengthText(moves ? all * m_share->value() / m_share->maximum() : 0, 1));
     }
 }
 
@@ -517,7 +534,7 @@ void PatternFitWindow::forget(const QString& why)
     m_found.reset();
     m_taken.reset();
     for (QLabel* label : {m_said, m_notes})
-        label->setMinimumHeight(0);
+        label->setMinimumHeight(usualLines * label->fontMetrics().lineSpacing());
     putAside(why);
 }
 

@@ -30,6 +30,7 @@ PullNote::PullNote(Document& document, QWidget* parent)
 {
     setObjectName(QStringLiteral("pull-note"));
     setWordWrap(true);
+    setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTextFormat(Qt::RichText);
     setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(this, &QLabel::linkActivated, this, &PullNote::switchOver);

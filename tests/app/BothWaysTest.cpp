@@ -676,7 +676,7 @@ TEST_F(BothWaysTest, WhatWasFoundStaysWhenAScanPullsNoLonger)
     EXPECT_TRUE(dialog->hasFound()) << "it need not be found again";
     EXPECT_EQ(share->value(), 0);
     const auto* list = dialog->findChild<QTreeWidget*>();
-    EXPECT_EQ(list->topLevelItem(0)->text(1), "0 mm");
+    EXPECT_EQ(list->topLevelItem(0)->text(1), "0.0 mm");
     QTest::keyClick(dialog, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_TRUE(says("Taken. "));
     EXPECT_TRUE(outlines() == found);
