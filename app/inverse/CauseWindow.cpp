@@ -85,7 +85,8 @@ QString amountText(const Explanation& one, Cause::Kind kind)
         return lengths ? steadyLengthFigure(value) : decimalText(value, 1, true);
     };
     const auto within = [&](double value, Eigen::Index k) {
-        return figure(value) + QStringLiteral(" \u00b1 ") + figure(one.spreads[k]);
+        const QString spread = figure(one.spreads[k]);
+        return spread == figure(0) ? figure(value) : figure(value) + QStringLiteral(" \u00b1 ") + spread;
     };
     const QString suffix = lengths ? lengthSuffix() : unit;
     if (kind != Cause::Kind::Fixation) {
@@ -130,14 +131,14 @@ QString wholePercent(double ratio)
 }
 
 /// The likely ones first; of those that are hardly likely the ones that explain more. Nothing is said of what
-/// explains nothing, or would have to be so large that it was not even solved.
+/// explains nothing, or is not likely and would have to be larger than anybody makes it.
 std::vector<std::size_t> rowsOf(const Explanations& explained, const std::vector<Cause>& causes)
 {
     std::vector<std::size_t> rows;
     const auto& ranked = explained.ranked;
     for (std::size_t k = 0; k < ranked.size(); ++k) {
-        const bool matters = ranked[k].probability >= hardlyAny || ranked[k].share >= hardlyAny;
-        if (matters && (ranked[k].solved || timesUsual(ranked[k], causes[ranked[k].cause]) <= mostTimesUsual))
+        const bool isThinkable = timesUsual(ranked[k], causes[ranked[k].cause]) <= mostTimesUsual;
+        if (ranked[k].probability >= hardlyAny || (ranked[k].share >= hardlyAny && isThinkable))
             rows.push_back(k);
     }
     std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
