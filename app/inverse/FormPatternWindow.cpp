@@ -380,7 +380,7 @@ void FormPatternWindow::fillLines()
         m_lines->topLevelItemCount() > 0 && m_lines->topLevelItem(m_lines->topLevelItemCount() - 1)->isExpanded();
     const QSignalBlocker quiet(m_lines);
     m_lines->clear();
-    auto* holding = new QTreeWidgetItem(QStringList{tr("Lines that hold a cover")});
+    auto* holding = new QTreeWidgetItem;
     for (const auto& [id, name] : lineNames(design)) {
         auto* row = new QTreeWidgetItem(QStringList{name});
         row->setData(0, Qt::UserRole, number(id));
@@ -397,6 +397,7 @@ void FormPatternWindow::fillLines()
         delete holding;
         return;
     }
+    holding->setText(0, tr("%n lines that hold a cover", nullptr, holding->childCount()));
     holding->setFlags(holding->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
     m_lines->addTopLevelItem(holding);
     holding->setExpanded(wasOpen);

@@ -12,6 +12,7 @@
 #include "Units.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -31,10 +32,11 @@ namespace {
 constexpr QSize pictureSize{240, 180}; // without the screen's scale
 constexpr double hardlyAny = 0.005;    // of the cover, over the limit
 
-/// Of the whole cover, in %.
-QString rmsFigure(double energy)
+/// "1.03 %", not to be broken: rms over the whole cover.
+QString rmsText(double energy)
 {
-    return decimalText(100 * std::sqrt(std::max(0.0, energy)), 2, true);
+    const QString figure = decimalText(100 * std::sqrt(std::max(0.0, energy)), 2, true);
+    return QCoreApplication::translate("Units", "%1 %").arg(figure).replace(u' ', QChar::Nbsp);
 }
 
 } // namespace
@@ -198,7 +200,8 @@ void ReliefWindow::showFound()
     else
         m_said->setText(tr("Each is solved by itself; \"Make it\" is one step that Undo takes back."));
     addCard(m_found->now, tr("As it is now"),
-            tr("%1 of the cover is over the limit.").arg(percentText(list.now.area)));
+            tr("%1 of the cover is over the limit, by %2 (rms of all of it).")
+                .arg(percentText(list.now.area), rmsText(list.now.energy)));
     for (std::size_t k = 0; k < m_found->pictures.size(); ++k)
         addRelief(k);
 }
@@ -245,8 +248,8 @@ void ReliefWindow::addRelief(std::size_t place)
     const OverLimit& now = m_found->list.now;
     QStringList lines{tr("Over the limit: %1 of the cover, then %2")
                           .arg(percentText(now.area), percentText(now.area * (1 - relief.solved->area))),
-                      tr("Strain beyond the limit (rms): %1 %, then %2 %")
-                          .arg(rmsFigure(now.energy), rmsFigure(now.energy * (1 - relief.solved->energy)))};
+                      tr("Strain over it (rms): %1, then %2")
+                          .arg(rmsText(now.energy), rmsText(now.energy * (1 - relief.solved->energy)))};
     if (relief.sewn > 0)
         lines << (relief.kind == Relief::Kind::Dart
                       ? tr("Sewn: %1 more").arg(lengthText(relief.sewn, 0))
