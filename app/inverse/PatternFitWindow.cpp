@@ -376,6 +376,12 @@ void PatternFitWindow::takePart(const PartFound& found)
 {
     if (!m_found || found.number != m_part)
         return;
+    if (m_aside) { // it was taken before this was known
+        if (found.figures)
+            m_takenFigures = found.figures->after;
+        m_said->setText(takenText());
+        return;
+    }
     if (!found.figures) {
         m_said->setText(tr("With what is shown of the changes the cover cannot be solved."));
         return;
@@ -502,7 +508,19 @@ void PatternFitWindow::commit()
         return;
     }
     m_taken = m_document.committed();
-    putAside(tr("Taken. Undo takes it back."));
+    m_takenFigures = m_shown;
+    putAside(takenText());
+    if (!m_takenFigures)
+        m_measuring.request({m_part, m_wanted, changedDesign()}, true);
+}
+
+/// What was taken is said as well as what was shown.
+QString PatternFitWindow::takenText() const
+{
+    QStringList lines{tr("Taken. Undo takes it back.")};
+    if (m_takenFigures)
+        lines += figures(m_takenFigures);
+    return lines.join(u'\n');
 }
 
 /// Undo, Escape or another gesture has taken back what is shown.
@@ -565,7 +583,7 @@ void PatternFitWindow::documentChanged()
         m_said->setText(tr("The design has changed meanwhile: find the changes again."));
     } else {
         putAside(!m_taken ? tr("The design has changed meanwhile: find the changes again, or undo that.")
-                 : hasSameCover(now, *m_taken) ? tr("Taken. Undo takes it back.")
+                 : hasSameCover(now, *m_taken) ? takenText()
                                                : QString());
     }
 }

@@ -73,6 +73,7 @@ private:
     void preview();
     void previewEnded();
     void commit();
+    QString takenText() const;
     void documentChanged();
     void comeBack();
 
@@ -101,10 +102,11 @@ private:
     bool m_aside = false;                       ///< what was found: it is kept for when the design is m_start again
     int m_shareBefore = 0;                      ///< %, when what was shown was taken back
     std::optional<Design> m_taken;              ///< what the design has become, until something else is sought
-    std::optional<Gesture> m_gesture;           ///< while changes are shown
-    QTimer m_slider;                            ///< since something else is shown
-    int m_part = 0;                             ///< number of what is shown
-    LatestJob<FitWanted, FitFound> m_job;       ///< last: they use the others
+    std::optional<FitFigures> m_takenFigures;
+    std::optional<Gesture> m_gesture;     ///< while changes are shown
+    QTimer m_slider;                      ///< since something else is shown
+    int m_part = 0;                       ///< number of what is shown
+    LatestJob<FitWanted, FitFound> m_job; ///< last: they use the others
     LatestJob<PartWanted, PartFound> m_measuring;
 };
 

@@ -669,6 +669,8 @@ TEST_F(BothWaysTest, WhatWasFoundStaysWhenAScanPullsNoLonger)
                                    [&](const QLabel* label) { return label->text().startsWith(words); });
     };
     EXPECT_TRUE(says("Taken. "));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return BothWaysTest::says(*dialog, "Over the fabrics' limits"); }, 60000))
+        << "who takes it before it is measured is told afterwards";
     EXPECT_FALSE(dialog->hasFound());
     EXPECT_TRUE(lastStep().startsWith("Fit the pattern to Built")) << lastStep().toStdString();
     QTest::keyClick(dialog, Qt::Key_Z, Qt::ControlModifier);
