@@ -5742,20 +5742,8 @@
         <translation>Die Form hat %1 Dreiecke; %2 stehen für sie, die bis zu %3 mm daneben liegen</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 liegt %2 mm von der Form entfernt: Dort wird nicht geschnitten</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 endet in einem Teil, bei %2: Dort wird wie bei einem Abnäher eingeschnitten. Bis zur nächsten Linie oder zum Rand sind es %3 mm; führen Sie sie bis dorthin, um das Teil zu trennen</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>In sie können keine Linien geschnitten werden: Sie hat Kanten, an denen sich mehr als zwei Flächen treffen, oder Flächen, die sich in einem Punkt berühren</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>In sie können keine Linien geschnitten werden: Sie durchdringt sich dort selbst</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5820,10 +5808,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>Naht von %1 und %2 scharf lassen</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 hat keine Länge: Dort wird nicht geschnitten</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5922,10 +5906,6 @@
         <translation>%1 Flächen der Form liegen da, wo schon eine andere liegt, und werden weggelassen</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>Teile, die für die Dreiecke des Bezugs mit %1 mm langen Kanten klein sind: %2. Machen Sie die Netzkanten für sie kürzer, sonst wird ihre Form grob</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>es ist das Projekt, das hier offen ist; wählen Sie einen anderen Namen</translation>
     </message>
@@ -5956,14 +5936,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 hat einen Henkel wie eine Tasse und lässt sich nicht flach legen: teilen Sie es nach Gruppen oder CAD-Flächen, entlang von Linien oder wo es sich biegt</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 verläuft entlang von %2: dort wird einmal geschnitten</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 verläuft am Rand der Form oder dort, wo sie ohnehin geschnitten wird: da ist nichts zu schneiden</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -6000,6 +5972,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>Nichts wird geteilt: Es wären mehr als %1 Stücke nötig, bis sie flach liegen. Die Form ist rau, wie Scans es sind: Glätten Sie sie, oder passen Sie ihr einen Bezug an und nehmen Sie diesen</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>Den Schnitt einer Form noch einmal machen</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>Den Schnitt von %1 noch einmal machen</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>Den Schnitt von %1 machen</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>Den Schnitt an %1 anpassen, %2 mm davon entfernt</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>Den Schnitt an %1 anpassen</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>Den Schnitt an eine Grenze der Dehnung anpassen, %1 % des Bezugs darüber</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>Den Scan wieder am Bezug ziehen lassen</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 verläuft bei %3 entlang von %2: Dort wird einmal geschnitten</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 verläuft bei %2 am Rand der Form oder dort, wo sie ohnehin geschnitten wird: Da ist nichts zu schneiden</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%1 hat keine Länge, bei %2: Dort wird nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 liegt %2 mm von der Form entfernt, bei %3: Dort wird nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>In sie können keine Linien geschnitten werden: Sie hat bei %1 Kanten, an denen sich mehr als zwei Flächen treffen, oder Flächen, die sich in einem Punkt berühren</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>%1 kann bei %2 nicht in sie geschnitten werden: Die Form geht dort durch sich selbst</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>Klein für die Dreiecke des Bezugs mit %1 mm langen Kanten: %2. Ihre Form wird grob; mit Netzkanten von %3 mm wird sie es nicht</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>Zu klein für die Dreiecke des Bezugs mit %1 mm langen Kanten: %2. Verbinden Sie sie mit dem, was daneben liegt, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>Nach %1 Schritten lässt sich noch nicht sagen, wo die Oberfläche zur Ruhe kommt. Erlauben Sie mehr Schritte.</translation>
     </message>
 </context>
 <context>
@@ -8331,6 +8367,66 @@
         <source>Seam is sewn shifted</source>
         <translation>Naht ist versetzt genäht</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>%1 dicker</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>%1 dünner</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>%1 härter</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 weicher</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>%1 weiter außen</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>%1 weiter innen</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>%1 größer</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>%1 kleiner</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>%1 gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>%1 im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>Weiter außen: Die Zugabe wurde auf beiden Seiten schmaler genommen</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>Entlang der Kante von %1, wie es im Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>Der Scan zeigt %1 des Bezugs. Seine Punkte sind %2 vom Bezug entfernt (quadratisches Mittel), wovon alle Ursachen zusammen %3 übrig lassen. Vom Bezug zum nächsten Punkt, wie das Anpassen misst, sind es %4.</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>Das ist weit mehr, als eine solche Ursache gewöhnlich ausmacht: Es können mehrere sein oder andere als diese.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9479,10 +9575,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel)</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>Ohne das Weggelassene &amp;machen</translation>
     </message>
@@ -9605,6 +9697,39 @@
     <message>
         <source>It was stopped.</source>
         <translation>Es wurde angehalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n Linie, die einen Bezug hält</numerusform>
+            <numerusform>%n Linien, die einen Bezug halten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Es wurde angehalten. Das sind die Teile von zuvor.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n Naht, deren Seiten gleich lang sind</numerusform>
+            <numerusform>%n Nähte, deren Seiten gleich lang sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel), %3 an der stärksten Stelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>Auch diese lassen sich nicht flach legen: %1 und %n weiteres</numerusform>
+            <numerusform>Auch diese lassen sich nicht flach legen: %1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>Auch diese lassen sich nicht flach legen: %1</translation>
     </message>
 </context>
 <context>
@@ -10624,20 +10749,12 @@
         <translation>Das ist kaum näher und dehnt den Stoff stärker: lassen Sie anderes sich ändern, oder weniger davon.</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>Zurückgenommen.</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>%1 von der Form (RMS; vorher: %2), zunächst auf wenigen Dreiecken</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>%1 von der Form (RMS; vorher: %2)</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>Über das hinaus gedehnt, was die Stoffe zulassen: vorher %1, jetzt %2</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10650,6 +10767,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>Nahtseiten neben ihrer Mehrweite: bis zu %1 vorher, %2 jetzt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>Über den Grenzen der Stoffe: vorher %1 der gemalten Fläche, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>Über den Grenzen der Stoffe: vorher %1 des Bezugs, jetzt %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie die Änderungen neu, oder machen Sie das rückgängig.</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>Zurückgenommen. Bewegen Sie den Schieber, um die Änderungen wieder zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -10807,12 +10944,16 @@
         <translation>Der Bezug in der 3D-Ansicht wird zu einem Scan gezogen; hier zählt er so, wie ihn der Schnitt allein macht.</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>Ohne diesen Zug zeigen</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>Kein Scan zieht mehr am Bezug (ein Schritt im Verlauf).</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>Kein Scan zieht mehr am Bezug. „Rückgängig“ lässt ihn wieder ziehen.</translation>
+        <source>Switch the pull off</source>
+        <translation>Zug ausschalten</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>Wieder ziehen</translation>
     </message>
 </context>
 <context>
@@ -10882,26 +11023,6 @@
         <translation>Wie es jetzt ist</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>%1 des Bezugs liegen über der Grenze.</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>%1 weniger Dehnung über der Grenze</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>%1 mehr Dehnung über der Grenze</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>%1 weniger vom Bezug darüber</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>%1 mehr vom Bezug darüber</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>Genäht: %1 mehr</translation>
     </message>
@@ -10930,16 +11051,32 @@
         <translation>Angewendet. Rückgängig nimmt es zurück; suchen Sie neu, um zu sehen, was jetzt hilft.</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu.</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>Angehalten. Diese sind berechnet:</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>Die besten Änderungen werden berechnet …</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Kaum etwas liegt über der Grenze: Es ist wenig zu gewinnen. „Anwenden“ ist ein Schritt, den Rückgängig zurücknimmt.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>%1 des Bezugs liegen über der Grenze, um %2 (quadratisches Mittel über den ganzen Bezug).</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>Über der Grenze: %1 des Bezugs, dann %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>Dehnung darüber (quadratisches Mittel): %1, dann %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu, oder machen Sie das rückgängig.</translation>
     </message>
 </context>
 <context>
@@ -12103,10 +12240,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>Anteil an der Varianz</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>Wandert höchstens um</translation>
     </message>
@@ -12163,10 +12296,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>Außerhalb der Grenze: %1 der Stücke.</translation>
-    </message>
-    <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
         <translation>Das gilt, als wären Bezüge linear; Stücke werden gerade berechnet …</translation>
     </message>
@@ -12219,8 +12348,28 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Was 95 % der Stücke Stelle für Stelle nicht überschreiten: %1 (quadratisches Mittel über den Bezug), %2 an der stärksten Stelle.</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>Mit viel mehr von ihnen kann der quadratische Mittelwert um %1 anders sein.</translation>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>Wie viel von der Varianz des ganzen Bezugs daher kommt</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± ist, was viel mehr von ihnen noch ändern können.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>Außerhalb der Grenze: etwa %1 der Stücke.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>Außerhalb der Grenze: %1 von %2 Stücken (von vielen: %3 bis %4).</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

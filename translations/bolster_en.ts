@@ -173,6 +173,27 @@
             <numerusform>&amp;Replace the %n patches of these names</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n line that holds a cover</numerusform>
+            <numerusform>%n lines that hold a cover</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n seam, whose sides are equally long</numerusform>
+            <numerusform>%n seams, whose sides are equally long</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>These cannot be laid flat either: %1 and %n more</numerusform>
+            <numerusform>These cannot be laid flat either: %1 and %n more</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ImportPatternDialog</name>

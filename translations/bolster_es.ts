@@ -5742,20 +5742,8 @@
         <translation>La forma tiene %1 triángulos; la representan %2, con una diferencia de hasta %3&#xa0;mm</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 está a %2&#xa0;mm de la forma: no se corta por ahí</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 termina dentro de una pieza, en %2: allí se corta como una pinza. La línea o el borde siguiente está a %3&#xa0;mm; prolónguela hasta allí para dividir la pieza</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>no se pueden cortar líneas en ella: tiene aristas donde se juntan más de dos caras, o láminas que se tocan en un punto</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>no se pueden cortar líneas en ella: allí se atraviesa a sí misma</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5820,10 +5808,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>Dejar marcada la costura de %1 y %2</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 no tiene longitud: no se corta por ahí</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5922,10 +5906,6 @@
         <translation>%1 caras de la forma están donde ya hay otra y se omiten</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>Piezas pequeñas para los triángulos de la funda, cuyas aristas miden %1 mm: %2. Acorte las aristas de malla para ellas, o su forma será tosca</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>es el proyecto que está abierto aquí; elija otro nombre</translation>
     </message>
@@ -5956,14 +5936,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 tiene un asa, como una taza, y no se puede aplanar: divídala por grupos o caras CAD, a lo largo de líneas o donde se dobla</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 va a lo largo de %2: allí se corta una sola vez</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 va por el borde de la forma o por donde ya se corta: no hay nada que cortar</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -6000,6 +5972,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>No se divide nada: harían falta más de %1 piezas para que queden planas. La forma es rugosa, como lo son los escaneos: alísela, o ajuste una funda a ella y tome esa</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>Volver a hacer el patrón de una forma</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>Volver a hacer el patrón de %1</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>Hacer el patrón de %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>Adaptar el patrón a %1, a %2&#xa0;mm de distancia</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>Adaptar el patrón a %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>Adaptar el patrón a un límite de deformación, con el %1&#xa0;% de la funda por encima</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>Dejar que el escaneo vuelva a tirar de la funda</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 va a lo largo de %2, en %3: allí se corta una sola vez</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 va por el borde de la forma o por donde ya se corta, en %2: no hay nada que cortar</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%1 no tiene longitud, en %2: no se corta por ahí</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 está a %2&#xa0;mm de la forma, en %3: no se corta por ahí</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>no se pueden cortar líneas en ella: tiene aristas donde se juntan más de dos caras, o láminas que se tocan en un punto, en %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>no se puede cortar %1 en ella, en %2: allí la forma se atraviesa a sí misma</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>Pequeñas para los triángulos de la funda, cuyas aristas miden %1&#xa0;mm: %2. Su forma será tosca; con aristas de malla de %3&#xa0;mm no lo es</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>Demasiado pequeñas para los triángulos de la funda, cuyas aristas miden %1&#xa0;mm: %2. Únalas a lo que está al lado u omítalas</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>Tras %1 iteraciones aún no se puede decir dónde quedará en reposo la superficie. Permita más iteraciones.</translation>
     </message>
 </context>
 <context>
@@ -8331,6 +8367,66 @@
         <source>Seam is sewn shifted</source>
         <translation>Costura cosida con desfase</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>%1 más gruesa</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>%1 más fina</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>%1 más dura</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 más blanda</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>%1 más afuera</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>%1 más adentro</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>%1 más grande</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>%1 más pequeña</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>%1 en sentido antihorario</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>%1 en sentido horario</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>Más afuera: se tomó un margen más estrecho, a ambos lados</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>A lo largo del borde de %1, tal como está en el patrón</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>menos del %1</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>El escaneo muestra el %1 de la funda. Sus puntos están a %2 (RMS) de la funda, de los que todas las causas juntas dejan %3. De la funda al punto más cercano, como mide una adaptación, son %4.</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>Es mucho más de lo habitual en una causa así: puede haber varias, u otras distintas.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9479,10 +9575,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>La más deformada: %1, %2 (RMS)</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Hacerlo sin lo omitido</translation>
     </message>
@@ -9605,6 +9697,39 @@
     <message>
         <source>It was stopped.</source>
         <translation>Se ha detenido.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n línea que sujeta una funda</numerusform>
+            <numerusform>%n líneas que sujetan una funda</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Se ha detenido. Estas son las piezas de antes.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n costura, cuyos lados miden lo mismo</numerusform>
+            <numerusform>%n costuras, cuyos lados miden lo mismo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>La más deformada: %1, %2 (RMS), %3 donde es máximo</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>Tampoco se pueden aplanar: %1 y %n más</numerusform>
+            <numerusform>Tampoco se pueden aplanar: %1 y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>Tampoco se pueden aplanar: %1</translation>
     </message>
 </context>
 <context>
@@ -10624,20 +10749,12 @@
         <translation>Apenas se acerca y deforma más la tela: deje cambiar otra cosa, o menos.</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>Deshecho.</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>%1 de la forma (RMS; antes: %2), primero con pocos triángulos</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>%1 de la forma (RMS; antes: %2)</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>Estirado más de lo que permiten las telas: %1 antes, %2 ahora</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10650,6 +10767,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>Lados de costuras fuera de su embebido: hasta %1 antes, %2 ahora</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>Por encima de los límites de las telas: antes %1 de la zona pintada, ahora %2</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>Por encima de los límites de las telas: antes %1 de la funda, ahora %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>El diseño ha cambiado entretanto: busque los cambios de nuevo o deshaga eso.</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>Deshecho. Mueva el control deslizante para volver a ver los cambios.</translation>
     </message>
 </context>
 <context>
@@ -10807,12 +10944,16 @@
         <translation>La funda de la vista 3D es atraída hacia un escaneo; aquí cuenta tal como la hace el patrón por sí solo.</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>Mostrarla sin esa atracción</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>Ningún escaneo tira ya de la funda (un paso del historial).</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>Ningún escaneo tira ya de la funda. «Deshacer» vuelve a permitirlo.</translation>
+        <source>Switch the pull off</source>
+        <translation>Desactivar la atracción</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>Volver a tirar</translation>
     </message>
 </context>
 <context>
@@ -10882,26 +11023,6 @@
         <translation>Como está ahora</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>El %1 de la funda supera el límite.</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>%1 menos de deformación por encima del límite</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>%1 más de deformación por encima del límite</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>%1 menos de la funda por encima de él</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>%1 más de la funda por encima de él</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>Costura: %1 más</translation>
     </message>
@@ -10930,16 +11051,32 @@
         <translation>Aplicado. Deshacer lo revierte; busque de nuevo para ver qué ayuda ahora.</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>El diseño ha cambiado entretanto: busque de nuevo.</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>Detenido. Estos están calculados:</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>Se calculan los mejores cambios…</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Casi nada supera el límite: hay poco que ganar. «Aplicar» es un solo paso que Deshacer revierte.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>El %1 de la funda supera el límite, en %2 (RMS sobre toda ella).</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>Por encima del límite: %1 de la funda, después %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>Deformación por encima de él (RMS): %1, después %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>El diseño ha cambiado entretanto: busque de nuevo o deshaga eso.</translation>
     </message>
 </context>
 <context>
@@ -12103,10 +12240,6 @@ Lo que ve es donde estaba la tela al final.</translation>
         <translation>Tolerancia</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>Parte de la varianza</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>Se mueve como máximo</translation>
     </message>
@@ -12163,10 +12296,6 @@ Lo que ve es donde estaba la tela al final.</translation>
         <translation>Detenido.</translation>
     </message>
     <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>Fuera del límite: el %1 de las piezas.</translation>
-    </message>
-    <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
         <translation>Eso, como si las fundas fueran lineales; se están calculando piezas…</translation>
     </message>
@@ -12219,8 +12348,28 @@ Lo que ve es donde estaba la tela al final.</translation>
         <translation>Lo que el 95&#xa0;% de las piezas no supera, punto por punto: %1 (RMS sobre la funda), %2 donde es máximo.</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>Con muchas más, la media cuadrática puede diferir en %1.</translation>
+        <source>Share</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>Qué parte de la varianza de toda la funda procede de ella</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± es lo que muchas más podrían cambiar.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>Fuera del límite: alrededor del %1 de las piezas.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>Fuera del límite: %1 de %2 piezas (de muchas: del %3 al %4).</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
     </message>
 </context>
 <context>

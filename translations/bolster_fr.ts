@@ -5742,20 +5742,8 @@
         <translation>La forme a %1 triangles&#x202f;; %2 la représentent, à %3&#xa0;mm près</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 est à %2&#xa0;mm de la forme&#x202f;: elle n’est pas coupée à cet endroit</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 finit dans un morceau, en %2&#x202f;: il y est entaillé comme par une pince. La ligne ou bordure suivante est à %3&#xa0;mm&#x202f;; prolongez-la jusque-là pour diviser le morceau</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>on ne peut pas y couper de lignes&#x202f;: elle a des arêtes où se rejoignent plus de deux faces, ou des nappes qui se touchent en un point</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>on ne peut pas y couper de lignes&#x202f;: elle se traverse elle-même à cet endroit</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5820,10 +5808,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>Laisser vive la couture de %1 et %2</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 n’a pas de longueur&#x202f;: il n’y a pas de coupe à cet endroit</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5922,10 +5906,6 @@
         <translation>%1 faces de la forme se trouvent là où il y en a déjà une autre, et sont omises</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>Pièces petites pour les triangles de la housse, dont les arêtes mesurent %1 mm&#x202f;: %2. Raccourcissez les arêtes du maillage pour elles, sinon leur forme sera grossière</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>c’est le projet qui est ouvert ici&#x202f;; choisissez un autre nom</translation>
     </message>
@@ -5956,14 +5936,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 a une anse, comme une tasse, et ne peut pas être mise à plat&#x202f;: divisez-la par groupes ou faces CAO, le long de lignes, ou là où elle se plie</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 suit %2&#x202f;: on n’y coupe qu’une fois</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 suit le bord de la forme, ou un endroit déjà coupé&#x202f;: il n’y a rien à couper</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -6000,6 +5972,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>Rien n’est divisé&#x202f;: il faudrait plus de %1 pièces pour qu’elles soient à plat. La forme est rugueuse, comme le sont les numérisations&#x202f;: lissez-la, ou ajustez-lui une housse et prenez celle-ci</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>Refaire le patron d’une forme</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>Refaire le patron de %1</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>Faire le patron de %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>Ajuster le patron à %1, à %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>Ajuster le patron à %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>Ajuster le patron à une limite de déformation, %1&#x202f;% de la housse au-delà</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>Laisser de nouveau le scan tirer la housse</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 suit %2, à %3&#x202f;: on n’y coupe qu’une fois</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 suit le bord de la forme, ou un endroit déjà coupé, à %2&#x202f;: il n’y a rien à couper</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%1 n’a pas de longueur, à %2&#x202f;: il n’y a pas de coupe à cet endroit</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 est à %2&#xa0;mm de la forme, à %3&#x202f;: il n’y a pas de coupe à cet endroit</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>on ne peut pas y couper de lignes&#x202f;: elle a des arêtes où se rejoignent plus de deux faces, ou des nappes qui se touchent en un point, à %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>on ne peut pas y couper %1, à %2&#x202f;: la forme s’y traverse elle-même</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>Petites pour les triangles de la housse, dont les arêtes mesurent %1&#xa0;mm&#x202f;: %2. Leur forme sera grossière&#x202f;; avec des arêtes de maillage de %3&#xa0;mm, elle ne l’est pas</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>Trop petites pour les triangles de la housse, dont les arêtes mesurent %1&#xa0;mm&#x202f;: %2. Réunissez-les à ce qui est à côté, ou omettez-les</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>Après %1 itérations, on ne peut pas encore dire où la surface s’immobilisera. Permettez plus d’itérations.</translation>
     </message>
 </context>
 <context>
@@ -8331,6 +8367,66 @@
         <source>Seam is sewn shifted</source>
         <translation>Couture cousue décalée</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>plus épaisse de %1</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>plus mince de %1</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>plus dure de %1</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>plus souple de %1</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>%1 plus à l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>%1 plus à l’intérieur</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>plus grande de %1</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>plus petite de %1</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>%1 dans le sens antihoraire</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>%1 dans le sens horaire</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>Plus à l’extérieur&#x202f;: la marge a été prise plus étroite, des deux côtés</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>Le long du bord de %1, telle qu’elle est dans le patron</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>moins de %1</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>Le scan montre %1 de la housse. Ses points s’en écartent de %2 (RMS), dont toutes les causes ensemble laissent %3. De la housse au point le plus proche, comme le mesure un ajustement, il y a %4.</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>C’est bien plus que d’ordinaire pour une telle cause&#x202f;: il peut y en avoir plusieurs, ou d’autres que celles-ci.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9479,10 +9575,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>La plus déformée&#x202f;: %1, %2 (RMS)</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Faire sans ce qui est omis</translation>
     </message>
@@ -9605,6 +9697,39 @@
     <message>
         <source>It was stopped.</source>
         <translation>Arrêté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n ligne qui tient une housse</numerusform>
+            <numerusform>%n lignes qui tiennent une housse</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Arrêté. Ce sont les pièces d’avant.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n couture, dont les côtés sont de même longueur</numerusform>
+            <numerusform>%n coutures, dont les côtés sont de même longueur</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>La plus déformée&#x202f;: %1, %2 (RMS), %3 au plus fort</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1 et %n autre</numerusform>
+            <numerusform>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1 et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -10624,20 +10749,12 @@
         <translation>C’est à peine plus près, et le tissu est plus déformé&#x202f;: laissez changer autre chose, ou moins.</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>Repris.</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>à %1 de la forme (RMS&#x202f;; avant&#x202f;: %2), d’abord sur peu de triangles</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>à %1 de la forme (RMS&#x202f;; avant&#x202f;: %2)</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>Étiré au-delà de ce que permettent les tissus&#x202f;: %1 avant, %2 maintenant</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10650,6 +10767,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>Côtés de coutures hors de leur embu&#x202f;: jusqu’à %1 avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>Au-delà des limites des tissus&#x202f;: %1 de la zone peinte avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>Au-delà des limites des tissus&#x202f;: %1 de la housse avant, %2 maintenant</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau les modifications, ou annulez cela.</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>Annulé. Déplacez le curseur pour revoir les modifications.</translation>
     </message>
 </context>
 <context>
@@ -10807,12 +10944,16 @@
         <translation>La housse de la vue 3D est tirée vers un scan&#x202f;; ici elle compte telle que le patron seul la fait.</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>La montrer sans cette traction</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>Plus aucun scan ne tire la housse (une étape de l’historique).</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>Plus aucun scan ne tire la housse. «&#x202f;Annuler&#x202f;» le rétablit.</translation>
+        <source>Switch the pull off</source>
+        <translation>Désactiver la traction</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>Tirer de nouveau</translation>
     </message>
 </context>
 <context>
@@ -10882,26 +11023,6 @@
         <translation>État actuel</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>%1 de la housse dépasse la limite.</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>%1 de déformation en moins au-delà de la limite</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>%1 de déformation en plus au-delà de la limite</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>%1 de la housse en moins au-delà</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>%1 de la housse en plus au-delà</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>Cousu&#x202f;: %1 de plus</translation>
     </message>
@@ -10930,16 +11051,32 @@
         <translation>Appliqué. Annuler revient en arrière&#x202f;; cherchez de nouveau pour voir ce qui aide maintenant.</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau.</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>Arrêté. Celles-ci sont calculées&#x202f;:</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>Calcul des meilleures modifications…</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Presque rien ne dépasse la limite&#x202f;: il y a peu à gagner. «&#x202f;Appliquer&#x202f;» est une seule étape, que l’on peut annuler.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>%1 de la housse dépasse la limite, de %2 (RMS sur toute la housse).</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>Au-delà de la limite&#x202f;: %1 de la housse, puis %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>Déformation au-delà (RMS)&#x202f;: %1, puis %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau, ou annulez cela.</translation>
     </message>
 </context>
 <context>
@@ -12103,10 +12240,6 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <translation>Tolérance</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>Part de la variance</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>Bouge d’au plus</translation>
     </message>
@@ -12163,10 +12296,6 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <translation>Arrêté.</translation>
     </message>
     <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>Hors limite&#x202f;: %1 des exemplaires.</translation>
-    </message>
-    <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
         <translation>C’est comme si les housses étaient linéaires&#x202f;; des exemplaires sont en cours de calcul…</translation>
     </message>
@@ -12219,8 +12348,28 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <translation>Ce que 95&#x202f;% des exemplaires ne dépassent pas, point par point&#x202f;: %1 (RMS sur la housse), %2 au plus fort.</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>Avec bien plus de pièces, la moyenne quadratique peut différer de %1.</translation>
+        <source>Share</source>
+        <translation>Part</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>Part de la variance de toute la housse qui en provient</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± est ce que bien plus d’exemplaires peuvent changer.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>Hors limite&#x202f;: environ %1 des exemplaires.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>Hors limite&#x202f;: %1 sur %2 exemplaires (sur un grand nombre&#x202f;: de %3 à %4).</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#x202f;%</translation>
     </message>
 </context>
 <context>

@@ -5742,20 +5742,8 @@
         <translation>La forma ha %1 triangoli; la rappresentano %2, con scarto fino a %3&#xa0;mm</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 dista %2&#xa0;mm dalla forma: lì non si taglia</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 finisce dentro un pezzo, in %2: lì si incide come per una pince. La linea o il bordo più vicino dista %3&#xa0;mm; prolungarla fin lì per dividere il pezzo</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>non vi si possono tagliare linee: ha spigoli dove si incontrano più di due facce, o superfici che si toccano in un punto</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>non vi si possono tagliare linee: lì attraversa sé stessa</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5820,10 +5808,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>Lascia viva la cucitura di %1 e %2</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 non ha lunghezza: lì non si taglia</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5922,10 +5906,6 @@
         <translation>%1 facce della forma si trovano dove ce n&apos;è già un&apos;altra e sono tralasciate</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>Pezzi piccoli per i triangoli del rivestimento, i cui lati misurano %1 mm: %2. Accorciate i lati della mesh per loro, altrimenti la loro forma sarà grossolana</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>è il progetto aperto qui; scegliere un altro nome</translation>
     </message>
@@ -5956,14 +5936,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 ha un manico, come una tazza, e non si può stendere: la divida per gruppi o facce CAD, lungo linee o dove si piega</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 corre lungo %2: lì si taglia una volta sola</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 corre lungo il bordo della forma, o dove la si taglia comunque: non c’è niente da tagliare</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -6000,6 +5972,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>Non si divide nulla: servirebbero più di %1 pezzi perché stiano in piano. La forma è ruvida, come lo sono le scansioni: la si lisci, oppure si adatti a essa un rivestimento e si prenda quello</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>Crea di nuovo il cartamodello di una forma</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>Crea di nuovo il cartamodello di %1</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>Crea il cartamodello di %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>Adatta il cartamodello a %1, a %2&#xa0;mm di distanza</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>Adatta il cartamodello a %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>Adatta il cartamodello a un limite di deformazione, %1&#xa0;% del rivestimento oltre</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>La scansione tira di nuovo il rivestimento</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 corre lungo %2, in %3: lì si taglia una volta sola</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 corre lungo il bordo della forma, o dove la si taglia comunque, in %2: non c’è niente da tagliare</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%1 non ha lunghezza, in %2: lì non si taglia</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 dista %2&#xa0;mm dalla forma, in %3: lì non si taglia</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>non vi si possono tagliare linee: ha spigoli dove si incontrano più di due facce, o superfici che si toccano in un punto, in %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>non vi si può tagliare %1, in %2: lì la forma attraversa sé stessa</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>Piccoli per i triangoli del rivestimento, i cui spigoli misurano %1&#xa0;mm: %2. La loro forma sarà grossolana; con spigoli della maglia di %3&#xa0;mm non lo è</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>Troppo piccoli per i triangoli del rivestimento, i cui spigoli misurano %1&#xa0;mm: %2. Unirli a ciò che sta loro accanto o ometterli</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>Dopo %1 iterazioni non si può ancora dire dove la superficie si fermerà. Consentire più iterazioni.</translation>
     </message>
 </context>
 <context>
@@ -8331,6 +8367,66 @@
         <source>Seam is sewn shifted</source>
         <translation>Cucitura sfalsata</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>%1 più spesso</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>%1 più sottile</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>%1 più duro</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 più morbido</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>%1 più all’esterno</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>%1 più all’interno</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>%1 più grande</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>%1 più piccolo</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>%1 in senso antiorario</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>%1 in senso orario</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>Più all’esterno: il margine è stato preso più stretto, da entrambi i lati</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>Lungo il lato di %1, come sta nel cartamodello</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>meno di %1</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>La scansione mostra %1 del rivestimento. I suoi punti ne distano %2 (rms), di cui tutte le cause insieme lasciano %3. Dal rivestimento al punto più vicino, come misura un adattamento, sono %4.</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>È molto più di quanto una causa simile sia di solito: possono essere più d’una, o altre da queste.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9479,10 +9575,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>Più deformato: %1, %2 (rms)</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Crea senza ciò che è omesso</translation>
     </message>
@@ -9605,6 +9697,39 @@
     <message>
         <source>It was stopped.</source>
         <translation>È stato fermato.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n linea che tiene un rivestimento</numerusform>
+            <numerusform>%n linee che tengono un rivestimento</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>È stato fermato. Questi sono i pezzi di prima.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n cucitura, i cui lati sono ugualmente lunghi</numerusform>
+            <numerusform>%n cuciture, i cui lati sono ugualmente lunghi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>Più deformato: %1, %2 (rms), %3 dove è massimo</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>Neanche questi si possono stendere: %1 e %n altro</numerusform>
+            <numerusform>Neanche questi si possono stendere: %1 e %n altri</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>Neanche questi si possono stendere: %1</translation>
     </message>
 </context>
 <context>
@@ -10624,20 +10749,12 @@
         <translation>È appena più vicino e deforma di più il tessuto: lasci cambiare altro, o meno.</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>Annullato.</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>%1 dalla forma (RMS; prima: %2), dapprima su pochi triangoli</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>%1 dalla forma (RMS; prima: %2)</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>Teso oltre quanto consentono i tessuti: %1 prima, %2 ora</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10650,6 +10767,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>Lati di cuciture fuori dal loro agio: fino a %1 prima, %2 ora</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>Oltre i limiti dei tessuti: prima %1 dell’area dipinta, ora %2</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>Oltre i limiti dei tessuti: prima %1 del rivestimento, ora %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>Nel frattempo il modello è cambiato: trovare di nuovo le modifiche o annullare ciò che è cambiato.</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>Annullato. Spostare il cursore per rivedere le modifiche.</translation>
     </message>
 </context>
 <context>
@@ -10807,12 +10944,16 @@
         <translation>Il rivestimento nella vista 3D è tirato verso una scansione; qui conta così come lo fa il cartamodello da solo.</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>Mostrarlo senza questa trazione</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>Nessuna scansione tira più il rivestimento (un passo della cronologia).</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>Nessuna scansione tira più il rivestimento. «Annulla» lo ripristina.</translation>
+        <source>Switch the pull off</source>
+        <translation>Disattiva la trazione</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>Tira di nuovo</translation>
     </message>
 </context>
 <context>
@@ -10882,26 +11023,6 @@
         <translation>Com’è ora</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>%1 del rivestimento è oltre il limite.</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>%1 in meno di deformazione oltre il limite</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>%1 in più di deformazione oltre il limite</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>%1 in meno di rivestimento oltre il limite</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>%1 in più di rivestimento oltre il limite</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>Da cucire: %1 in più</translation>
     </message>
@@ -10930,16 +11051,32 @@
         <translation>Applicato. Annulla lo revoca; cercare di nuovo per vedere che cosa serve ora.</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>Nel frattempo il modello è cambiato: cercare di nuovo.</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>Fermato. Queste sono calcolate:</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>Si calcolano le modifiche migliori…</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Quasi nulla è oltre il limite: c’è poco da guadagnare. «Applica» è un solo passo, che Annulla revoca.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>%1 del rivestimento è oltre il limite, di %2 (rms su tutto il rivestimento).</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>Oltre il limite: %1 del rivestimento, poi %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>Deformazione oltre il limite (rms): %1, poi %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>Nel frattempo il modello è cambiato: cercare di nuovo o annullare ciò che è cambiato.</translation>
     </message>
 </context>
 <context>
@@ -12103,10 +12240,6 @@ Si vede il tessuto com’era alla fine.</translation>
         <translation>Tolleranza</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>Quota della varianza</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>Spostamento massimo</translation>
     </message>
@@ -12163,10 +12296,6 @@ Si vede il tessuto com’era alla fine.</translation>
         <translation>Interrotto.</translation>
     </message>
     <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>Fuori limite: %1 dei pezzi.</translation>
-    </message>
-    <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
         <translation>Questo come se i rivestimenti fossero lineari; calcolo dei pezzi in corso…</translation>
     </message>
@@ -12219,8 +12348,28 @@ Si vede il tessuto com’era alla fine.</translation>
         <translation>Ciò che il 95&#xa0;% dei pezzi non supera, punto per punto: %1 (rms sul rivestimento), %2 dove è massimo.</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>Con molti altri, la media quadratica può differire di %1.</translation>
+        <source>Share</source>
+        <translation>Quota</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>Quanta parte della varianza di tutto il rivestimento ne deriva</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± è quanto molti altri possono cambiare.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>Fuori limite: circa %1 dei pezzi.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>Fuori limite: %1 di %2 pezzi (di molti: da %3 a %4).</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
     </message>
 </context>
 <context>

@@ -5738,20 +5738,8 @@
         <translation>形状の三角形は %1 個です。これを %2 個で代用し、誤差は最大 %3&#xa0;mm です</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 は形状から %2&#xa0;mm 離れているため、これに沿って切りません</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 がパーツの内側の %2 で終わっています。そこはダーツのように切り込みます。次の線または境界まで %3&#xa0;mm です。パーツを分けるにはそこまで延ばしてください</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>線で切り込めません: 3 枚以上の面が出会うエッジ、または点で接する面があります</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>線で切り込めません: そこで自身を貫通しています</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5816,10 +5804,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>%1 と %2 の縫い目を鋭くする</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 には長さがないため、これに沿って切りません</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5918,10 +5902,6 @@
         <translation>形状の面 %1 枚は別の面と重なっているため除かれました</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>カバーの三角形（エッジ長 %1 mm）に対して小さいパーツ：%2。形が粗くなるため、メッシュのエッジを短くしてください</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>ここで開いているプロジェクトです。別の名前を選んでください</translation>
     </message>
@@ -5952,14 +5932,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 にはカップのような取っ手があり、平らに展開できません。グループや CAD 面、線、または曲がる所で分割してください</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 は %2 に沿っています。そこは 1 回だけ切ります</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 は形状の縁、またはすでに切る所に沿っています。切るものはありません</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -5996,6 +5968,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>何も分割しません：平らになるまでに %1 個より多くの部品が必要です。形がスキャンのように粗いためです。滑らかにするか、それにカバーを合わせて、そのカバーを使ってください</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>形状から型紙を作り直す</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>%1 から型紙を作り直す</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>%1 から型紙を作成</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>型紙を %1 に合わせる (差 %2&#xa0;mm)</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>型紙を %1 に合わせる</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>型紙をひずみの限界に合わせる (カバーの %1&#xa0;% が超過)</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>スキャンが再びカバーを引くようにする</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 は %3 で %2 に沿っています。そこは 1 回だけ切ります</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 は %2 で形状の縁、またはすでに切る所に沿っています。切るものはありません</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%2 の %1 には長さがないため、これに沿って切りません</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 は %3 で形状から %2&#xa0;mm 離れているため、これに沿って切りません</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>線で切り込めません: %1 に、3 枚以上の面が出会うエッジ、または点で接する面があります</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>%2 で %1 に沿って切り込めません: 形状がそこで自身と交差しています</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>カバーの三角形（辺の長さ %1&#xa0;mm）に対して小さいパーツ: %2。形が粗くなります。メッシュの辺を %3&#xa0;mm にすれば粗くなりません</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>カバーの三角形（辺の長さ %1&#xa0;mm）に対して小さすぎるパーツ: %2。隣のものと一つにするか、除外してください</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>%1 回の反復後も、面がどこで静止するかまだわかりません。反復回数を増やしてください。</translation>
     </message>
 </context>
 <context>
@@ -8325,6 +8361,66 @@
         <source>Seam is sewn shifted</source>
         <translation>縫い目がずれて縫われている</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>%1 厚い</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>%1 薄い</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>%1 硬い</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 軟らかい</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>%1 外側</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>%1 内側</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>%1 大きい</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>%1 小さい</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>反時計回りに %1</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>時計回りに %1</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>外側: 両側で縫い代を狭くとって縫われた場合</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>型紙に置かれた向きで見て、%1 の辺に沿って</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>%1 未満</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>スキャンはカバーの %1 を捉えています。その点とカバーの差は %2 (RMS) で、すべての原因を合わせると、残りは %3 です。型紙を合わせるときのように、カバーから最も近い点まで測ると %4 です。</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>このような原因の通常の大きさをはるかに超えています。原因が複数か、これら以外かもしれません。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9463,10 +9559,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>最大ひずみ: %1、%2 (RMS)</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>除外したもの以外で作成(&amp;M)</translation>
     </message>
@@ -9585,6 +9677,36 @@
     <message>
         <source>It was stopped.</source>
         <translation>停止しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>カバーを留めている線 %n 本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>停止しました。これは以前のパーツです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>縫い目 %n 本、両側は同じ長さ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>最大ひずみ: %1、%2 (RMS)、最大の所で %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>次も平らに展開できません: %1、ほか %n 個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>次も平らに展開できません: %1</translation>
     </message>
 </context>
 <context>
@@ -10594,20 +10716,12 @@
         <translation>ほとんど近づかず、布地のひずみが増えています。別のものを変えるか、変更を少なくしてください。</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>元に戻しました。</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>形状から %1（RMS、変更前：%2）、まず少ない三角形で</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>形状から %1（RMS、変更前：%2）</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>布地の許容を超えるひずみ：変更前 %1、現在 %2</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10620,6 +10734,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>いせから外れている縫い目の両側: 以前は最大 %1、現在 %2</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>生地の限度を超過：塗った範囲の %1（前）、%2（今）</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>生地の限度を超過：カバーの %1（前）、%2（今）</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>その間にデザインが変わりました。変更を探し直すか、その操作を元に戻してください。</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>元に戻しました。スライダーを動かすと、変更が再び表示されます。</translation>
     </message>
 </context>
 <context>
@@ -10776,12 +10910,16 @@
         <translation>3D ビューのカバーはスキャンに引き寄せられています。ここでは型紙だけで生じるカバーとして扱われます。</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>引き寄せずに表示</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>スキャンはもうカバーを引いていません (履歴の 1 ステップ)。</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>スキャンはもうカバーを引いていません。「元に戻す」で再び引くようになります。</translation>
+        <source>Switch the pull off</source>
+        <translation>引き寄せをオフにする</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>再び引き寄せる</translation>
     </message>
 </context>
 <context>
@@ -10851,26 +10989,6 @@
         <translation>現在の状態</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>カバーの %1 が限界を超えています。</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>限界超過のひずみ: %1 減</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>限界超過のひずみ: %1 増</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>カバーの限界超過部分: %1 減</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>カバーの限界超過部分: %1 増</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>縫う長さ: %1 増</translation>
     </message>
@@ -10899,16 +11017,32 @@
         <translation>実行しました。元に戻せます。今有効な変更は、もう一度探すとわかります。</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>その間にデザインが変わりました。探し直してください。</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>停止しました。計算済みのもの：</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>最も良い変更を計算しています…</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>限界を超える所はほとんどなく、改善の余地はわずかです。「実行」は 1 ステップで、元に戻せます。</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>カバーの %1 が限界を超えています。超過は %2 (カバー全体の RMS) です。</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>限界を超える所: カバーの %1、変更後 %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>限界超過のひずみ (RMS): %1、変更後 %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>その間にデザインが変わりました。探し直すか、その操作を元に戻してください。</translation>
     </message>
 </context>
 <context>
@@ -12067,10 +12201,6 @@ What you see is where the cloth was at the end.</source>
         <translation>公差</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>分散の割合</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>最大移動量</translation>
     </message>
@@ -12127,10 +12257,6 @@ What you see is where the cloth was at the end.</source>
         <translation>停止しました。</translation>
     </message>
     <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>限界超過: 個体の %1。</translation>
-    </message>
-    <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
         <translation>これは線形近似です。個体を計算しています…</translation>
     </message>
@@ -12179,8 +12305,28 @@ What you see is where the cloth was at the end.</source>
         <translation>場所ごとに個体の 95 % が超えない値: %1 (カバー全体の RMS)、最大の所で %2。</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>さらに多く解くと、二乗平均は %1 ほど変わる可能性があります。</translation>
+        <source>Share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>カバー全体の分散のうち、その公差による割合</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± は、さらに多く解いた場合に変わりうる幅です。</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>限界超過: 個体の約 %1。</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>限界超過: 個体 %2 個のうち %1 個 (多数では %3～%4)。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
     </message>
 </context>
 <context>

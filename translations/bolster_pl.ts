@@ -5746,20 +5746,8 @@
         <translation>Forma ma %1 trójkątów; zastępuje je %2, z odchyłką do %3&#xa0;mm</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 leży %2&#xa0;mm od formy: nie ma tam cięcia</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 kończy się wewnątrz kawałka, w %2: nacięto tam jak zaszewkę. Do następnej linii lub brzegu jest %3&#xa0;mm; przedłuż do tego miejsca, aby podzielić kawałek</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>nie można wciąć w nią linii: ma krawędzie, gdzie spotykają się więcej niż dwie ściany, lub płaty stykające się w punkcie</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>nie można wciąć w nią linii: przenika tam sama siebie</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5824,10 +5812,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>Pozostaw szew ostry: %1 i %2</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 nie ma długości: nie ma tam cięcia</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5926,10 +5910,6 @@
         <translation>%1 ścian bryły leży w miejscu innej ściany; zostały pominięte</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>Elementy małe w stosunku do trójkątów pokrowca o krawędziach %1 mm: %2. Skróć dla nich krawędzie siatki, inaczej ich kształt będzie zgrubny</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>to projekt, który jest tu otwarty; wybierz inną nazwę</translation>
     </message>
@@ -5960,14 +5940,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 ma ucho, jak kubek, i nie da się rozłożyć: proszę podzielić je według grup lub ścian CAD, wzdłuż linii albo tam, gdzie się zgina</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 biegnie wzdłuż %2: tam tnie się raz</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 biegnie wzdłuż brzegu bryły albo tam, gdzie i tak się ją tnie: nie ma czego ciąć</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -6004,6 +5976,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>Nic nie zostało podzielone: aby części leżały płasko, potrzeba by ich więcej niż %1. Forma jest chropowata jak skany: wygładź ją albo dopasuj do niej pokrowiec i użyj go</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>Utwórz ponownie wykrój formy</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>Utwórz ponownie wykrój: %1</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>Utwórz wykrój: %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>Dopasuj wykrój do: %1, odległość %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>Dopasuj wykrój do: %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>Dopasuj wykrój do granicy odkształcenia, %1% pokrowca powyżej niej</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>Niech skan znów przyciąga pokrowiec</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 biegnie wzdłuż %2, w %3: tam tnie się raz</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 biegnie wzdłuż brzegu formy albo tam, gdzie i tak się ją tnie, w %2: nie ma czego ciąć</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%1 nie ma długości, w %2: nie ma tam cięcia</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 leży %2&#xa0;mm od formy, w %3: nie ma tam cięcia</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>nie można wciąć w nią linii: ma krawędzie, gdzie spotykają się więcej niż dwie ściany, lub płaty stykające się w punkcie, w %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>nie można w nią wciąć linii %1, w %2: forma przenika tam samą siebie</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>Małe w stosunku do trójkątów pokrowca o krawędziach %1&#xa0;mm: %2. Ich kształt będzie zgrubny; z krawędziami siatki %3&#xa0;mm nie będzie</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>Za małe w stosunku do trójkątów pokrowca o krawędziach %1&#xa0;mm: %2. Połącz je z tym, co leży obok, albo je pomiń</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>Po iteracjach w liczbie %1 nie da się jeszcze powiedzieć, gdzie powierzchnia się zatrzyma. Dopuść więcej iteracji.</translation>
     </message>
 </context>
 <context>
@@ -8337,6 +8373,66 @@
         <source>Seam is sewn shifted</source>
         <translation>Szew jest zszyty z przesunięciem</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>o %1 grubsza</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>o %1 cieńsza</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>o %1 twardsza</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>o %1 miększa</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>o %1 dalej na zewnątrz</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>o %1 dalej do wewnątrz</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>o %1 większy</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>o %1 mniejszy</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>%1 przeciwnie do ruchu wskazówek zegara</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>%1 zgodnie z ruchem wskazówek zegara</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>Dalej na zewnątrz: po obu stronach przyjęto węższy naddatek</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>Wzdłuż krawędzi %1, tak jak leży w wykroju</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>poniżej %1</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>Skan pokazuje %1 pokrowca. Jego punkty leżą od pokrowca %2 (RMS), z czego wszystkie przyczyny razem pozostawiają %3. Od pokrowca do najbliższego punktu, jak mierzy dopasowanie, jest %4.</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>To znacznie więcej, niż taka przyczyna zwykle wynosi: może być ich kilka albo inne niż te.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9495,10 +9591,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>Najbardziej odkształcony: %1, %2 (RMS)</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>&amp;Utwórz bez pominiętego</translation>
     </message>
@@ -9625,6 +9717,42 @@
     <message>
         <source>It was stopped.</source>
         <translation>Zatrzymano.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n linia, która trzyma pokrowiec</numerusform>
+            <numerusform>%n linie, które trzymają pokrowiec</numerusform>
+            <numerusform>%n linii, które trzymają pokrowiec</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Zatrzymano. To są poprzednie elementy.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n szew, strony są równej długości</numerusform>
+            <numerusform>%n szwy, strony są równej długości</numerusform>
+            <numerusform>%n szwów, strony są równej długości</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>Najbardziej odkształcony: %1, %2 (RMS), %3 w najgorszym miejscu</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>Tych też nie da się rozłożyć: %1 i jeszcze %n</numerusform>
+            <numerusform>Tych też nie da się rozłożyć: %1 i jeszcze %n</numerusform>
+            <numerusform>Tych też nie da się rozłożyć: %1 i jeszcze %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>Tych też nie da się rozłożyć: %1</translation>
     </message>
 </context>
 <context>
@@ -10654,20 +10782,12 @@
         <translation>To prawie nie zbliża, a bardziej odkształca tkaninę: proszę pozwolić zmienić się czemuś innemu albo mniej.</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>Cofnięto.</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>%1 od formy (RMS; przedtem: %2), najpierw na niewielu trójkątach</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>%1 od formy (RMS; przedtem: %2)</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>Odkształcone ponad to, na co pozwalają tkaniny: przedtem %1, teraz %2</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10680,6 +10800,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>Boki szwów poza swoim wdaniem: do %1 przedtem, %2 teraz</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>Powyżej granic materiałów: przedtem %1 zamalowanego obszaru, teraz %2</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>Powyżej granic materiałów: przedtem %1 pokrowca, teraz %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>Model się tymczasem zmienił: znajdź zmiany ponownie albo to cofnij.</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>Cofnięto. Przesuń suwak, aby znów zobaczyć zmiany.</translation>
     </message>
 </context>
 <context>
@@ -10838,12 +10978,16 @@
         <translation>Pokrowiec w widoku 3D jest przyciągany do skanu; tutaj liczy się taki, jaki daje sam wykrój.</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>Pokaż go bez przyciągania</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>Żaden skan nie przyciąga już pokrowca (jeden krok historii).</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>Żaden skan nie przyciąga już pokrowca. „Cofnij” to przywraca.</translation>
+        <source>Switch the pull off</source>
+        <translation>Wyłącz przyciąganie</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>Przyciągaj znów</translation>
     </message>
 </context>
 <context>
@@ -10913,26 +11057,6 @@
         <translation>Jak jest teraz</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>%1 pokrowca powyżej granicy.</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>%1 mniej odkształcenia powyżej granicy</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>%1 więcej odkształcenia powyżej granicy</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>%1 mniej pokrowca powyżej granicy</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>%1 więcej pokrowca powyżej granicy</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>Szycie: o %1 więcej</translation>
     </message>
@@ -10961,16 +11085,32 @@
         <translation>Wykonano. Można to cofnąć; szukaj ponownie, aby zobaczyć, co teraz pomoże.</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>Model się tymczasem zmienił: szukaj ponownie.</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>Zatrzymano. Te są obliczone:</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>Obliczanie najlepszych zmian…</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>Prawie nic nie przekracza granicy: niewiele można zyskać. „Wykonaj” to jeden krok, który można cofnąć.</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>%1 pokrowca powyżej granicy, o %2 (RMS na całym pokrowcu).</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>Powyżej granicy: %1 pokrowca, potem %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>Odkształcenie powyżej niej (RMS): %1, potem %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>Model się tymczasem zmienił: szukaj ponownie albo to cofnij.</translation>
     </message>
 </context>
 <context>
@@ -12139,10 +12279,6 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         <translation>Tolerancja</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>Udział w wariancji</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>Przesuwa najwyżej o</translation>
     </message>
@@ -12197,10 +12333,6 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>Stopped.</source>
         <translation>Zatrzymano.</translation>
-    </message>
-    <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>Poza granicą: %1 sztuk.</translation>
     </message>
     <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
@@ -12259,8 +12391,28 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         <translation>Czego 95% sztuk nie przekracza, miejsce po miejscu: %1 (RMS na pokrowcu), %2 w najgorszym miejscu.</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>Przy znacznie większej ich liczbie średnia kwadratowa może się różnić o %1.</translation>
+        <source>Share</source>
+        <translation>Udział</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>Jaka część wariancji całego pokrowca z niej wynika</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± to zmiana możliwa przy znacznie większej ich liczbie.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>Poza granicą: około %1 sztuk.</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>Poza granicą: %1 z %2 sztuk (z wielu: od %3 do %4).</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>

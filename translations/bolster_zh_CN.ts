@@ -5738,20 +5738,8 @@
         <translation>形体有 %1 个三角形；以 %2 个代表，最多偏差 %3 mm</translation>
     </message>
     <message>
-        <source>%1 is %2 mm away from the form: it is not cut along it</source>
-        <translation>%1 距形体 %2 mm：不沿其切分</translation>
-    </message>
-    <message>
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. The next line or border is %3 mm away; draw it on to there to divide the piece</source>
         <translation>%1 在样片内的 %2 处结束：该处像省道一样切开。下一条线或边界相距 %3 mm；延长至该处可将样片分开</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point</source>
-        <translation>无法在其上切线：它有两个以上的面相接的边，或仅在一点相触的片</translation>
-    </message>
-    <message>
-        <source>lines cannot be cut into it: it goes through itself there</source>
-        <translation>无法在其上切线：它在该处穿过自身</translation>
     </message>
     <message>
         <source>No place of the cover is near the form: put it where the cover is, in millimetres.</source>
@@ -5816,10 +5804,6 @@
     <message>
         <source>Let the seam of %1 and %2 be sharp</source>
         <translation>使 %1 与 %2 的接缝保留棱边</translation>
-    </message>
-    <message>
-        <source>%1 has no length: it is not cut along it</source>
-        <translation>%1 没有长度：不沿其切分</translation>
     </message>
     <message>
         <source>it is no file of preferences: it breaks off or has a mistake at character %1; choose one that Bolster has exported</source>
@@ -5918,10 +5902,6 @@
         <translation>该形状有 %1 个面与其他面重合，已略去</translation>
     </message>
     <message>
-        <source>Pieces that are small for the triangles of the cover, whose edges are %1 mm long: %2. Make the mesh edges shorter for them, or their shape will be coarse</source>
-        <translation>相对于面套三角形（边长 %1 mm）偏小的样片：%2。请为它们缩短网格边长，否则形状会很粗糙</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>这是此处打开的项目；请另选名称</translation>
     </message>
@@ -5952,14 +5932,6 @@
     <message>
         <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
         <translation>%1 像杯子一样带有把手，无法展平：请按组或 CAD 面、沿线条或在弯折处将其分开</translation>
-    </message>
-    <message>
-        <source>%1 runs along %2: it is cut there once</source>
-        <translation>%1 与 %2 重合：该处只裁一次</translation>
-    </message>
-    <message>
-        <source>%1 runs along the border of the form, or where it is cut anyway: there is nothing to cut</source>
-        <translation>%1 沿着形体的边界或本来就要裁开的地方：没有可裁的</translation>
     </message>
     <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
@@ -5996,6 +5968,70 @@
     <message>
         <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
         <translation>未作任何分割：要使各片平展，需要超过 %1 片。该形体像扫描一样粗糙：请将其平滑，或为其拟合一个面套并采用该面套</translation>
+    </message>
+    <message>
+        <source>Make the pattern of a form again</source>
+        <translation>重新由形体生成样板</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1 again</source>
+        <translation>重新由 %1 生成样板</translation>
+    </message>
+    <message>
+        <source>Make the pattern of %1</source>
+        <translation>由 %1 生成样板</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1, %2 mm from it</source>
+        <translation>将样板拟合到 %1，相距 %2 mm</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to %1</source>
+        <translation>将样板拟合到 %1</translation>
+    </message>
+    <message>
+        <source>Fit the pattern to a limit of strain, %1 % of the cover over it</source>
+        <translation>将样板拟合到应变极限，面套的 %1% 超过它</translation>
+    </message>
+    <message>
+        <source>Let the scan pull at the cover again</source>
+        <translation>让扫描再次拉动面套</translation>
+    </message>
+    <message>
+        <source>%1 runs along %2, at %3: it is cut there once</source>
+        <translation>%1 在 %3 处与 %2 重合：该处只裁一次</translation>
+    </message>
+    <message>
+        <source>%1 runs along the border of the form, or where it is cut anyway, at %2: there is nothing to cut</source>
+        <translation>%1 在 %2 处沿着形体的边界或本来就要裁开的地方：没有可裁的</translation>
+    </message>
+    <message>
+        <source>%1 has no length, at %2: it is not cut along it</source>
+        <translation>%1 在 %2 处没有长度：不沿其切分</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>
+        <translation>%1 在 %3 处距形体 %2 mm：不沿其切分</translation>
+    </message>
+    <message>
+        <source>lines cannot be cut into it: it has edges where more than two faces meet, or sheets that touch in a point, at %1</source>
+        <translation>无法在其上切线：它在 %1 处有两个以上的面相接的边，或仅在一点相触的片</translation>
+    </message>
+    <message>
+        <source>%1 cannot be cut into it, at %2: the form goes through itself there</source>
+        <translation>无法在 %2 处切出 %1：形体在该处穿过自身</translation>
+    </message>
+    <message>
+        <source>Small for the triangles of the cover, whose edges are %1 mm long: %2. Their shape will be coarse; with mesh edges of %3 mm it is not</source>
+        <translation>相对于面套三角形（边长 %1 mm）偏小：%2。其形状会很粗糙；网格边长取 %3 mm 则不会</translation>
+    </message>
+    <message>
+        <source>Too small for the triangles of the cover, whose edges are %1 mm long: %2. Join them to what lies beside them, or leave them out</source>
+        <translation>相对于面套三角形（边长 %1 mm）过小：%2。请将其与相邻部分合并，或略去</translation>
+    </message>
+    <message>
+        <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
+        <translation>%1 次迭代后，尚无法判断曲面将静止在何处。请允许更多迭代。</translation>
     </message>
 </context>
 <context>
@@ -8325,6 +8361,66 @@
         <source>Seam is sewn shifted</source>
         <translation>接缝错位缝合</translation>
     </message>
+    <message>
+        <source>%1 thicker</source>
+        <translation>厚 %1</translation>
+    </message>
+    <message>
+        <source>%1 thinner</source>
+        <translation>薄 %1</translation>
+    </message>
+    <message>
+        <source>%1 harder</source>
+        <translation>硬 %1</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>软 %1</translation>
+    </message>
+    <message>
+        <source>%1 farther out</source>
+        <translation>偏外 %1</translation>
+    </message>
+    <message>
+        <source>%1 farther in</source>
+        <translation>偏内 %1</translation>
+    </message>
+    <message>
+        <source>%1 larger</source>
+        <translation>大 %1</translation>
+    </message>
+    <message>
+        <source>%1 smaller</source>
+        <translation>小 %1</translation>
+    </message>
+    <message>
+        <source>%1 counter-clockwise</source>
+        <translation>逆时针 %1</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>顺时针 %1</translation>
+    </message>
+    <message>
+        <source>Farther out: the allowance was taken narrower, on both sides</source>
+        <translation>偏外：两侧的缝份都取得较窄</translation>
+    </message>
+    <message>
+        <source>Along the edge of %1, as it lies in the pattern</source>
+        <translation>沿 %1 的边，按其在样板中的放置方向</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>低于 %1</translation>
+    </message>
+    <message>
+        <source>The scan shows %1 of the cover. Its points lie %2 (rms) from the cover, of which all causes together leave %3. From the cover to the nearest point, as a fit measures, it is %4.</source>
+        <translation>扫描覆盖面套的 %1。其点与面套相距 %2（均方根），计入所有原因后剩余 %3。按拟合的度量，从面套到最近点为 %4。</translation>
+    </message>
+    <message>
+        <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
+        <translation>这远大于此类原因的通常程度：可能有多个原因，或是其他原因。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9463,10 +9559,6 @@
         </translation>
     </message>
     <message>
-        <source>Most strained: %1, %2 (rms)</source>
-        <translation>应变最大：%1，%2（均方根）</translation>
-    </message>
-    <message>
         <source>&amp;Make it without what is left out</source>
         <translation>不含略去部分生成(&amp;M)</translation>
     </message>
@@ -9585,6 +9677,36 @@
     <message>
         <source>It was stopped.</source>
         <translation>已停止。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n 条固定面套的线</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>已停止。这些是之前的样片。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n 条接缝，两侧等长</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
+        <translation>应变最大：%1，%2（均方根），最大处 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>These cannot be laid flat either: %1 and %n more</source>
+        <translation>
+            <numerusform>以下也无法展平：%1 以及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These cannot be laid flat either: %1</source>
+        <translation>以下也无法展平：%1</translation>
     </message>
 </context>
 <context>
@@ -10594,20 +10716,12 @@
         <translation>这样几乎没有更接近，面料应变却更大：请改为允许其他变化，或减少变化。</translation>
     </message>
     <message>
-        <source>Taken back.</source>
-        <translation>已撤回。</translation>
-    </message>
-    <message>
         <source>%1 from the form (rms; before: %2), on few triangles at first</source>
         <translation>与形体相距 %1（均方根；之前：%2），先用少量三角形</translation>
     </message>
     <message>
         <source>%1 from the form (rms; before: %2)</source>
         <translation>与形体相距 %1（均方根；之前：%2）</translation>
-    </message>
-    <message>
-        <source>Strained over what the fabrics allow: %1 before, %2 now</source>
-        <translation>应变超出面料允许范围：之前 %1，现在 %2</translation>
     </message>
     <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
@@ -10620,6 +10734,26 @@
     <message>
         <source>Sides of seams off their ease: up to %1 before, %2 now</source>
         <translation>偏离吃势的缝线两侧：之前最多 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
+        <translation>超过面料极限：涂画区域中之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
+        <translation>超过面料极限：面套中之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: find the changes again, or undo that.</source>
+        <translation>设计在此期间已更改：请重新查找更改，或撤销该操作。</translation>
+    </message>
+    <message>
+        <source>Taken back. Move the slider to see the changes again.</source>
+        <translation>已撤回。移动滑块即可再次查看更改。</translation>
     </message>
 </context>
 <context>
@@ -10776,12 +10910,16 @@
         <translation>3D 视图中的面套正被拉向扫描；这里按纸样自身形成的面套计算。</translation>
     </message>
     <message>
-        <source>Show it without the pull</source>
-        <translation>不拉动地显示</translation>
+        <source>No scan pulls at the cover any more (a step in the history).</source>
+        <translation>已没有扫描拉动面套（历史中的一步）。</translation>
     </message>
     <message>
-        <source>No scan pulls at the cover any more. Undo lets it do so again.</source>
-        <translation>已没有扫描拉动面套。“撤销”可恢复。</translation>
+        <source>Switch the pull off</source>
+        <translation>关闭拉动</translation>
+    </message>
+    <message>
+        <source>Pull again</source>
+        <translation>再次拉动</translation>
     </message>
 </context>
 <context>
@@ -10851,26 +10989,6 @@
         <translation>当前状态</translation>
     </message>
     <message>
-        <source>%1 of the cover is over the limit.</source>
-        <translation>面套的 %1 超过极限。</translation>
-    </message>
-    <message>
-        <source>%1 less strain over the limit</source>
-        <translation>超过极限的应变减少 %1</translation>
-    </message>
-    <message>
-        <source>%1 more strain over the limit</source>
-        <translation>超过极限的应变增加 %1</translation>
-    </message>
-    <message>
-        <source>%1 less of the cover over it</source>
-        <translation>超过极限的面套减少 %1</translation>
-    </message>
-    <message>
-        <source>%1 more of the cover over it</source>
-        <translation>超过极限的面套增加 %1</translation>
-    </message>
-    <message>
         <source>Sewn: %1 more</source>
         <translation>缝合：多 %1</translation>
     </message>
@@ -10899,16 +11017,32 @@
         <translation>已执行。可撤销；再次查找可了解现在何种更改有效。</translation>
     </message>
     <message>
-        <source>The design has changed meanwhile: look again.</source>
-        <translation>设计在此期间已更改：请重新查找。</translation>
-    </message>
-    <message>
         <source>Stopped. These are solved:</source>
         <translation>已停止。以下已求解：</translation>
     </message>
     <message>
         <source>The best changes are being solved …</source>
         <translation>正在求解最佳更改…</translation>
+    </message>
+    <message>
+        <source>Hardly anything is over the limit: there is little to gain. &quot;Make it&quot; is one step that Undo takes back.</source>
+        <translation>几乎没有超过极限之处：改善余地很小。“执行”是一个步骤，可撤销。</translation>
+    </message>
+    <message>
+        <source>%1 of the cover is over the limit, by %2 (rms of all of it).</source>
+        <translation>面套的 %1 超过极限，超出 %2（整个面套的均方根）。</translation>
+    </message>
+    <message>
+        <source>Over the limit: %1 of the cover, then %2</source>
+        <translation>超过极限：面套的 %1，之后 %2</translation>
+    </message>
+    <message>
+        <source>Strain over it (rms): %1, then %2</source>
+        <translation>超过极限的应变（均方根）：%1，之后 %2</translation>
+    </message>
+    <message>
+        <source>The design has changed meanwhile: look again, or undo that.</source>
+        <translation>设计在此期间已更改：请重新查找，或撤销该操作。</translation>
     </message>
 </context>
 <context>
@@ -12067,10 +12201,6 @@ What you see is where the cloth was at the end.</source>
         <translation>公差</translation>
     </message>
     <message>
-        <source>Share of the variance</source>
-        <translation>方差占比</translation>
-    </message>
-    <message>
         <source>Moves by at most</source>
         <translation>最大移动量</translation>
     </message>
@@ -12127,10 +12257,6 @@ What you see is where the cloth was at the end.</source>
         <translation>已停止。</translation>
     </message>
     <message>
-        <source>Out of the limit: %1 of the pieces.</source>
-        <translation>超出极限：样件的 %1。</translation>
-    </message>
-    <message>
         <source>That is as if covers were linear; pieces are being solved …</source>
         <translation>这是线性近似的结果；正在求解样件…</translation>
     </message>
@@ -12179,8 +12305,28 @@ What you see is where the cloth was at the end.</source>
         <translation>95% 的样件在各处不超过：%1（面套的均方根），最大处 %2。</translation>
     </message>
     <message>
-        <source>With many more of them the rms may differ by %1.</source>
-        <translation>若求解更多，均方根可能相差 %1。</translation>
+        <source>Share</source>
+        <translation>占比</translation>
+    </message>
+    <message>
+        <source>How much of the variance of the whole cover comes of it</source>
+        <translation>整个面套的方差中由它引起的部分</translation>
+    </message>
+    <message>
+        <source>± is what many more of them may change.</source>
+        <translation>± 为求解更多时可能的变化。</translation>
+    </message>
+    <message>
+        <source>Out of the limit: about %1 of the pieces.</source>
+        <translation>超出极限：约占样件的 %1。</translation>
+    </message>
+    <message>
+        <source>Out of the limit: %1 of %2 pieces (of many: %3 to %4).</source>
+        <translation>超出极限：%2 个样件中的 %1 个（大量样件时：%3 至 %4）。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>

@@ -47,6 +47,7 @@ namespace bolster {
 
 namespace {
 
+constexpr double equallyLong = 0.01;    // mm: less is nothing to sewing
 constexpr double besidePattern = 100;   // mm
 constexpr int mostLinesSaid = 9;        // that are seen at once
 constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
@@ -658,7 +659,7 @@ void FormPatternWindow::say()
     if (m_made->size)
         lines << tr("The form is taken as %1 large. If that is wrong, import the file as a frame.")
                      .arg(sizesText({m_made->size->x(), m_made->size->y(), m_made->size->z()}, 0));
-    double most = 0, widest = 0;
+    double most = 0, mostAnywhere = 0, widest = 0;
     std::string where;
     int over = 0;
     int whole = 0;                                                   // pieces that are not left out
@@ -670,16 +671,19 @@ void FormPatternWindow::say()
         if (m_made->flat[p].strainRms > most) {
             most = m_made->flat[p].strainRms;
             where = m_made->form.pieces[p].name;
+            mostAnywhere = m_made->flat[p].strainMost;
         }
         over += m_made->flat[p].strainP99 > bearableStrain(fabric());
     }
     for (const FormSeam& seam : m_made->pattern.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
     lines << tr("%n pieces", nullptr, whole);
-    if (!m_made->pattern.seams.empty())
-        lines.back() += ", " + tr("%n seams, whose sides differ by %1 at most", nullptr,
-                                  static_cast<int>(m_made->pattern.seams.size()))
-                                   .arg(lengthText(widest, 2));
+    if (const int seams = static_cast<int>(m_made->pattern.seams.size()); seams > 0)
+        lines.back() +=
+            ", " +
+            (widest < equallyLong
+                 ? tr("%n seams, whose sides are equally long", nullptr, seams)
+                 : tr("%n seams, whose sides differ by %1 at most", nullptr, seams).arg(lengthText(widest, 2)));
     const std::vector<Message>& notes = m_made->pattern.notes; // a line for each piece that is left out
     const std::size_t told = notes.size() > mostNotes ? mostNotes - 1 : notes.size();
     for (std::size_t k = 0; k < told; ++k)
@@ -689,7 +693,8 @@ void FormPatternWindow::say()
     for (const Message& note : m_made->pattern.advice)
         lines << translated(note);
     if (!where.empty())
-        lines << tr("Most strained: %1, %2 (rms)").arg(QString::fromStdString(where), percentText(most));
+        lines << tr("Most strained: %1, %2 (rms), %3 where it is most")
+                     .arg(QString::fromStdString(where), percentText(most), percentText(mostAnywhere));
     if (over > 0)
         lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
                     "(yellow): divide them, or cut them in there.",

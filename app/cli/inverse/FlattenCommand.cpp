@@ -285,8 +285,10 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
     double widest = 0;
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
-    printResult(counted(static_cast<std::int64_t>(made.seams.size()), "seam") + ", whose sides differ by " +
-                numberText(widest < 1e-6 ? 0 : widest, 2) + " mm at most");
+    constexpr double equallyLong = 0.01; // mm: less is nothing to sewing
+    printResult(counted(static_cast<std::int64_t>(made.seams.size()), "seam") +
+                (widest < equallyLong ? std::string(", whose sides are equally long")
+                                      : ", whose sides differ by " + numberText(widest, 2) + " mm at most"));
 }
 
 } // namespace
