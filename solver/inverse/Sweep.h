@@ -70,8 +70,8 @@ std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
 /// `linearP95` of many pieces, put right by some that are solved.
 struct CorrectedP95 {
     std::vector<float> map; ///< mm, per vertex
-    /// How far its rms over the cover may be from that of many solved pieces, mm: by what halves of the solved ones say
-    /// by themselves. Of fewer than 16 that says nothing.
+    /// How far its rms over the cover may be from that of many solved pieces, mm: by what halves of the solved ones
+    /// say by themselves. Of fewer than 16 that says nothing.
     std::optional<double> rmsError;
 };
 /// Plus what the solved ones exceed linear covers of the same pieces by (a control variate), so that what is chance
