@@ -345,10 +345,9 @@ void SweepWindow::fill()
     std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t k) { return m_found->influence[k]; });
     const QSignalBlocker quiet(m_list); // the first row is not yet chosen
     for (const std::size_t k : order) {
-        auto* row =
-            new QTreeWidgetItem(
-            m_list, {m_titles[k], tr("%1 %").arg(decimalText(100 * m_found->influence[k], 1, true)),
-                     steadyLengthText(m_found->mostMoved[k], 2)});
+        auto* row = new QTreeWidgetItem(m_list, {m_titles[k],
+                                                 tr("%1 %").arg(decimalText(100 * m_found->influence[k], 1, true)),
+                                                 steadyLengthText(m_found->mostMoved[k], 2)});
         row->setData(0, Qt::UserRole, number(m_tolerances.all[k].freedoms.front().element));
         row->setToolTip(0, m_titles[k]);
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
