@@ -58,7 +58,7 @@ struct LinePlace {
     double away = 0; ///< mm from the form
 };
 
-std::vector<Vec3> evenly(const FormLine& line, double spacing)
+std::vector<Vec3> evenly(const FormLine& line, double apart)
 {
     std::vector<Vec3> places{line.points.front()};
     std::vector<Vec3> corners = line.points;
@@ -66,7 +66,7 @@ std::vector<Vec3> evenly(const FormLine& line, double spacing)
         corners.push_back(corners.front());
     for (std::size_t k = 1; k < corners.size(); ++k) {
         const Vec3 from = corners[k - 1], way = corners[k] - from;
-        const int steps = static_cast<int>(std::ceil(way.norm() / spacing)); // none where two points are one
+        const int steps = static_cast<int>(std::ceil(way.norm() / apart)); // none where two points are one
         for (int i = 1; i <= steps; ++i)
             places.emplace_back(from + way * i / steps);
     }
