@@ -2,6 +2,7 @@
 
 #include "LocalStep.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -308,24 +309,65 @@ SheetState startPlacement(const SewnMesh& mesh)
     return Placer(mesh).run();
 }
 
+namespace {
+
+/// Of vertices inside a patch that move; else 0.
+double compressionAt(const SewnMesh& mesh, const SheetState& state, int v)
+{
+    return static_cast<int>(mesh.topology->unknown[v]) < mesh.freeCount ? -leastStrain(mesh, state, v) : 0;
+}
+
+/// Of each component, whether it lies in a plane and is a little too large for its room: symmetry would keep it
+/// there, pressed together, since the dome that it takes has no part in a ripple. Where there is much too much
+/// cloth it folds in many ways, which the ripple decides.
+std::vector<bool> slackInAPlane(const SewnMesh& mesh, const SheetState& state)
+{
+    constexpr double thinnest = 1e-4;  // of D
+    constexpr double mostSlack = 0.06; // strain
+    const std::size_t count = mesh.diameter.size();
+    std::vector<Vec3> sums(count, Vec3::Zero());
+    std::vector<Eigen::Matrix3d> squares(count, Eigen::Matrix3d::Zero());
+    std::vector<double> vertices(count, 0), most(count, 0);
+    for (const SewnMesh::Part& part : mesh.parts)
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
+            const Vec3 place = state.positions.col(mesh.topology->unknown[v]) - state.positions.col(0);
+            sums[part.component] += place;
+            squares[part.component] += place * place.transpose();
+            vertices[part.component] += 1;
+            if (v >= part.firstVertex + part.boundaryCount)
+                most[part.component] = std::max(most[part.component], compressionAt(mesh, state, v));
+        }
+    std::vector<bool> slack(count, false);
+    for (std::size_t c = 0; c < count; ++c) {
+        const Vec3 mean = sums[c] / std::max(vertices[c], 1.0);
+        const Eigen::Matrix3d spread = squares[c] / std::max(vertices[c], 1.0) - mean * mean.transpose();
+        const double thickness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0];
+        slack[c] = most[c] < mostSlack && thickness < std::pow(thinnest * mesh.diameter[c], 2);
+    }
+    return slack;
+}
+
+} // namespace
+
 void seedFolds(const SewnMesh& mesh, SheetState& state)
 {
     constexpr double height = 0.002;   // of D
     constexpr double wavelength = 0.2; // of D
     constexpr double least = 0.002;    // strain at which cloth counts as compressed
     constexpr double full = 0.02;
+    const std::vector<bool> domes = slackInAPlane(mesh, state);
     for (const SewnMesh::Part& part : mesh.parts) {
         const double d = mesh.diameter[part.component];
         for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
-            if (static_cast<int>(mesh.topology->unknown[v]) >= mesh.freeCount)
-                continue;
-            const double compression = -leastStrain(mesh, state, v);
+            const double compression = compressionAt(mesh, state, v);
             if (compression <= least)
                 continue;
             const double share = std::min(1.0, (compression - least) / (full - least));
             const Eigen::Vector3d normal = rotationOf(state.frames.col(v)).col(2);
-            state.positions.col(mesh.topology->unknown[v]) +=
-                share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
+            auto place = state.positions.col(mesh.topology->unknown[v]);
+            place += share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
+            if (domes[part.component])
+                place += height * d * normal; // all of it: near the least slack the dome grows slowly
         }
     }
 }
