@@ -8427,6 +8427,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>Das ist weit mehr, als eine solche Ursache gewöhnlich ausmacht: Es können mehrere sein oder andere als diese.</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Was die wahrscheinlichste Ursache übrig lässt, ist mehr als Rauschen: Noch etwas anderes stimmt nicht, und ihr Maß kann weiter daneben liegen als angegeben.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9730,6 +9734,13 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>Auch diese lassen sich nicht flach legen: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform> (%n Kurve, die sie hält, hält dann nichts mehr)</numerusform>
+            <numerusform> (%n Kurven, die sie halten, halten dann nichts mehr)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12370,6 +12381,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>Das sind zu wenige, um zu sagen, wie sicher das ist.</translation>
     </message>
 </context>
 <context>

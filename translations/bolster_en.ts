@@ -194,6 +194,13 @@
             <numerusform>These cannot be laid flat either: %1 and %n more</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform> (%n curve that holds them will hold nothing)</numerusform>
+            <numerusform> (%n curves that hold them will hold nothing)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ImportPatternDialog</name>

@@ -8427,6 +8427,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>Es mucho más de lo habitual en una causa así: puede haber varias, u otras distintas.</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Lo que deja la causa más probable es más que ruido: hay algo más que está mal, y su medida puede fallar más de lo indicado.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9730,6 +9734,13 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>Tampoco se pueden aplanar: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform> (%n curva que las sujeta no sujetará nada)</numerusform>
+            <numerusform> (%n curvas que las sujetan no sujetarán nada)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12370,6 +12381,10 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>Son demasiado pocas para decir qué tan seguro es.</translation>
     </message>
 </context>
 <context>

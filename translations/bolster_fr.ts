@@ -8427,6 +8427,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>C’est bien plus que d’ordinaire pour une telle cause&#x202f;: il peut y en avoir plusieurs, ou d’autres que celles-ci.</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Ce que laisse la cause la plus probable est plus que du bruit&#x202f;: autre chose ne va pas non plus, et sa valeur peut être plus fausse qu’indiqué.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9730,6 +9734,13 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform> (%n courbe qui les tient ne tiendra plus rien)</numerusform>
+            <numerusform> (%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12370,6 +12381,10 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>C’est trop peu pour dire à quel point c’est sûr.</translation>
     </message>
 </context>
 <context>

@@ -8427,6 +8427,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>È molto più di quanto una causa simile sia di solito: possono essere più d’una, o altre da queste.</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Quel che la causa più probabile lascia è più che rumore: c’è anche altro che non va, e la sua misura può sbagliare più di quanto indicato.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9730,6 +9734,13 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>Neanche questi si possono stendere: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform> (%n curva che li tiene non terrà più niente)</numerusform>
+            <numerusform> (%n curve che li tengono non terranno più niente)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12370,6 +12381,10 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>Sono troppo pochi per dire quanto è sicuro.</translation>
     </message>
 </context>
 <context>

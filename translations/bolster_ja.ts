@@ -8421,6 +8421,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>このような原因の通常の大きさをはるかに超えています。原因が複数か、これら以外かもしれません。</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>最も可能性の高い原因で説明できずに残る分はノイズより大きく、ほかにも何かがおかしいため、その量は表示より大きく外れているかもしれません。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9707,6 +9711,12 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>次も平らに展開できません: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform>（それらを留めている曲線 %n 本は何も留めなくなります）</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12327,6 +12337,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>どの程度確かかを言うには少なすぎます。</translation>
     </message>
 </context>
 <context>

@@ -8433,6 +8433,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>To znacznie więcej, niż taka przyczyna zwykle wynosi: może być ich kilka albo inne niż te.</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>To, co pozostawia najbardziej prawdopodobna przyczyna, to więcej niż szum: coś jeszcze jest nie tak, a jej wartość może być mniej dokładna, niż podano.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9753,6 +9757,14 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>Tych też nie da się rozłożyć: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform> (%n krzywa, która je trzyma, nie będzie trzymać niczego)</numerusform>
+            <numerusform> (%n krzywe, które je trzymają, nie będą trzymać niczego)</numerusform>
+            <numerusform> (%n krzywych, które je trzymają, nie będzie trzymać niczego)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12413,6 +12425,10 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>To za mało, by powiedzieć, jak pewne to jest.</translation>
     </message>
 </context>
 <context>

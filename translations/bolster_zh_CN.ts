@@ -8421,6 +8421,10 @@
         <source>That is far more than such a cause usually is: there may be several, or others than these.</source>
         <translation>这远大于此类原因的通常程度：可能有多个原因，或是其他原因。</translation>
     </message>
+    <message>
+        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
+        <translation>最可能的原因未能解释的部分大于噪声：还有别的问题，其数值的偏差可能比所示的更大。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9707,6 +9711,12 @@
     <message>
         <source>These cannot be laid flat either: %1</source>
         <translation>以下也无法展平：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source> (%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform>（固定它们的 %n 条曲线将不再固定任何东西）</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12327,6 +12337,10 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>
+    </message>
+    <message>
+        <source>These are too few to say how sure that is.</source>
+        <translation>数量太少，无法说明其可靠程度。</translation>
     </message>
 </context>
 <context>

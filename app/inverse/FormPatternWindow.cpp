@@ -41,6 +41,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace bolster {
@@ -123,6 +124,7 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     setWindowTitle(tr("Pattern of a form"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
+    keepEnterInNumbers(*this);
     fillForms();
     fillFabrics();
     fillLines();
@@ -643,10 +645,21 @@ void FormPatternWindow::showOnForm()
 void FormPatternWindow::offerToReplace()
 {
     const Design& design = m_document.design();
-    const auto count = std::ranges::count_if(edits::earlierPieces(design, m_made->pattern.design),
-                                             [&](ElementId id) { return design.find<Patch>(id) != nullptr; });
+    const std::vector<ElementId> earlier = edits::earlierPieces(design, m_made->pattern.design);
+    const auto goes = [&](ElementId id) { return std::ranges::find(earlier, id) != earlier.end(); };
+    const auto count =
+        std::ranges::count_if(earlier, [&](ElementId id) { return design.find<Patch>(id) != nullptr; });
+    std::set<ElementId> free, held; // curves that stay
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
+        if (seam.hasCurve() && !goes(seam.curve))
+            (goes(seam.stretch.patch) ? free : held).insert(seam.curve);
+    });
+    const auto left = std::ranges::count_if(free, [&](ElementId curve) { return !held.contains(curve); });
     m_replace->setVisible(count > 0);
-    m_replace->setText(tr("&Replace the %n patches of these names", nullptr, static_cast<int>(count)));
+    m_replace->setText(tr("&Replace the %n patches of these names", nullptr, static_cast<int>(count)) +
+                       (left > 0
+                            ? tr(" (%n curves that hold them will hold nothing)", nullptr, static_cast<int>(left))
+                            : QString()));
 }
 
 void FormPatternWindow::say()

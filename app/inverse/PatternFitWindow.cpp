@@ -87,6 +87,7 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
     m_slider.setInterval(restOfSlider);
     connect(&m_slider, &QTimer::timeout, this, &PatternFitWindow::measure);
     build();
+    keepEnterInNumbers(*this);
     m_order->fillIn(*m_remembered);
     setRunning(false);
     connect(&m_document, &Document::changed, this, &PatternFitWindow::documentChanged);

@@ -68,6 +68,7 @@ ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverVi
     setWindowTitle(tr("Relieve strain"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
+    keepEnterInNumbers(*this);
     connect(&m_document, &Document::changed, this, &ReliefWindow::documentChanged);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
 }

@@ -34,7 +34,7 @@ std::shared_ptr<const LinearCovers> linearCovers(Sweep& sweep, const SweepWanted
 void countLinear(const SweepWanted& wanted, SweepFound& found, const std::stop_token& stop)
 {
     const LinearCovers& linear = *found.known.linear;
-    found.p95 = linear.p95;
+    found.p95 = linear.p95.map;
     found.influence = influences(linear.columns, wanted.tolerances,
                                  vertexAreas(*linear.nominal->topology, linear.nominal->positions));
     for (Eigen::Index k = 0; k < linear.columns.cols(); k += 2)

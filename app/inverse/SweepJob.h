@@ -13,7 +13,7 @@ struct LinearCovers {
     SurfaceMeshPtr nominal;
     Eigen::MatrixXf columns;          ///< as of Sweep::linear
     std::vector<std::size_t> unknown; ///< tolerances with which no cover was found
-    std::vector<float> p95;           ///< mm, per vertex
+    LinearP95 p95;
 };
 
 /// Of one design with its tolerances: what more pieces or another limit need not find again.

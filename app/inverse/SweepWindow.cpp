@@ -116,6 +116,7 @@ SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& 
     setWindowTitle(tr("Tolerances"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
+    keepEnterInNumbers(*this);
     connect(&m_document, &Document::changed, this, &SweepWindow::documentChanged);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
     connect(&m_maps, &MapLink::measured, this, &SweepWindow::mapsChanged);
@@ -302,6 +303,8 @@ void SweepWindow::say(const QString& lead)
         lines << tr("By %n solved pieces so far; more are being solved \u2026", nullptr, m_found->resting);
     else
         lines << tr("By %n solved pieces.", nullptr, m_found->resting);
+    if (m_found->resting > 0 && !m_found->error)
+        lines.back() += " " + tr("These are too few to say how sure that is.");
     if (m_found->error)
         lines.back() += " " + tr("\u00b1 is what many more of them may change.");
     const std::vector<std::size_t>& unknown = m_found->known.linear->unknown;
@@ -348,7 +351,9 @@ void SweepWindow::fill()
         auto* row = new QTreeWidgetItem(m_list, {m_titles[k],
                                                  tr("%1 %").arg(decimalText(100 * m_found->influence[k], 1, true)),
                                                  steadyLengthText(m_found->mostMoved[k], 2)});
-        row->setData(0, Qt::UserRole, number(m_tolerances.all[k].freedoms.front().element));
+        const Tolerance& tolerance = m_tolerances.all[k];
+        row->setData(0, Qt::UserRole,
+                     number(tolerance.seam != noElement ? tolerance.seam : tolerance.freedoms.front().element));
         row->setToolTip(0, m_titles[k]);
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);

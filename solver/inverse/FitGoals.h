@@ -79,6 +79,10 @@ struct FitGoals {
     {
         return !target.empty() && !strain && smooth.empty() && seams.empty() && sizes.empty();
     }
+    bool isSmoothnessAlone() const
+    {
+        return !smooth.empty() && target.empty() && !strain && seams.empty() && sizes.empty();
+    }
     bool isLimitAlone() const
     {
         return strain && target.empty() && smooth.empty() && seams.empty() && sizes.empty();

@@ -85,6 +85,8 @@ bool isAsWanted(const FitGoals& goals, const FitFigures& before, const FitFigure
     if (goals.isLimitAlone())
         return after.overLimit < before.overLimit ||
                (after.overLimit == before.overLimit && after.strainRms < before.strainRms);
+    if (goals.isSmoothnessAlone())
+        return after.pressed < before.pressed;
     return !goals.isFormAlone() || after.distanceRms < before.distanceRms;
 }
 

@@ -63,21 +63,26 @@ private:
     std::vector<std::size_t> m_unknown;
 };
 
-/// Of each vertex the size that 95 % of the samples do not exceed, mm. `linear` as of Sweep.
-std::vector<float> linearP95(const Eigen::MatrixXf& linear, const Tolerances& tolerances, int samples,
-                             const std::stop_token& stop = {});
+/// Of each vertex the size that 95 % of the samples do not exceed.
+struct LinearP95 {
+    std::vector<float> map; ///< mm
+    double rmsError = 0;    ///< mm: how far its rms over the cover may be from that of all samples there are
+};
+/// `linear` as of Sweep.
+LinearP95 linearP95(const Eigen::MatrixXf& linear, const Tolerances& tolerances, int samples,
+                    const std::stop_token& stop = {});
 std::vector<float> solvedP95(const std::vector<const SweepSample*>& samples);
 /// `linearP95` of many pieces, put right by some that are solved.
 struct CorrectedP95 {
     std::vector<float> map; ///< mm, per vertex
     /// How far its rms over the cover may be from that of many solved pieces, mm: by what halves of the solved ones
-    /// say by themselves. Of fewer than 16 that says nothing.
+    /// say by themselves, and batches of the linear ones. Of fewer than 16 that says nothing.
     std::optional<double> rmsError;
 };
 /// Plus what the solved ones exceed linear covers of the same pieces by (a control variate), so that what is chance
 /// in the few does not count.
-CorrectedP95 correctedP95(const std::vector<float>& linearP95, const Eigen::MatrixXf& linear,
-                          const Tolerances& tolerances, const std::vector<const SweepSample*>& solved);
+CorrectedP95 correctedP95(const LinearP95& linearP95, const Eigen::MatrixXf& linear, const Tolerances& tolerances,
+                          const std::vector<const SweepSample*>& solved);
 /// Between which shares that of many pieces lies, in 95 of 100 cases, when `count` of `all` were counted (Wilson's
 /// interval).
 std::array<double, 2> shareOfMany(int count, int all);

@@ -56,6 +56,7 @@ std::vector<Tolerance> seamTolerances(const Design& design, double spread)
             tolerance.freedoms.push_back(
                 {.kind = Freedom::Kind::Offset, .element = side->patch, .from = side->from, .to = side->to});
         tolerance.spread = spread;
+        tolerance.seam = id;
         tolerance.name = "seam " + std::to_string(number(id)) + ", " + patchName(seam.a.patch) + " to " +
                          patchName(seam.b.patch);
         tolerances.push_back(std::move(tolerance));

@@ -11,7 +11,8 @@ struct Tolerance {
     std::vector<Freedom> freedoms; ///< that vary by the same number, each times its step
     double spread = 1;             ///< of that number: +- so much
     std::string name;
-    bool whole = false; ///< that number is a whole one
+    bool whole = false;         ///< that number is a whole one
+    ElementId seam = noElement; ///< whose allowance it is; else it is of what its freedoms are of
 };
 
 struct Tolerances {

@@ -976,6 +976,16 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found()->whole && dialog->found()->solved == 20; }, 240000));
     EXPECT_EQ(dialog->found()->known.linear, before.linear);
     EXPECT_EQ(dialog->found()->known.pieces.front(), before.pieces.front());
+    for (auto* box : dialog->findChildren<NumberBox*>())
+        if (box->suffix().isEmpty()) {
+            box->setFocus();
+            QTest::keyClicks(box, "7000");
+            QTest::keyClick(box, Qt::Key_Return);
+            EXPECT_EQ(box->value(), 7000);
+        }
+    EXPECT_TRUE(std::ranges::none_of(dialog->findChildren<QPushButton*>(), [](const QPushButton* button) {
+        return button->text().remove(u'&') == "Stop";
+    })) << "Enter begins nothing";
     ASSERT_TRUE(window.maps().map());
     EXPECT_TRUE(window.maps().map()->fits(*window.solver().surface()->topology));
     float most = 0;

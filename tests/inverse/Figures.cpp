@@ -250,11 +250,12 @@ void printSweeps(const std::vector<Real>& covers, const Amount& amount)
         const Stopwatch linearWatch;
         const Eigen::MatrixXf columns = sweep.linear();
         constexpr int drawn = 10'000, few = 64;
-        const std::vector<float> linear = linearP95(columns, tolerances, drawn);
+        const LinearP95 reckoned = linearP95(columns, tolerances, drawn);
+        const std::vector<float>& linear = reckoned.map;
         const double linearTime = linearWatch.seconds();
         // Other pieces than those that it is compared with.
         const std::vector<SweepSample> others = sweep.solve(static_cast<std::uint64_t>(amount.samples), few);
-        const std::vector<float> corrected = correctedP95(linear, columns, tolerances, restingOf(others)).map;
+        const std::vector<float> corrected = correctedP95(reckoned, columns, tolerances, restingOf(others)).map;
         const double correctedTime = linearWatch.seconds();
         const Stopwatch watch;
         const std::vector<SweepSample> samples = sweep.solve(0, amount.samples);

@@ -111,7 +111,8 @@ TEST(Sweep, LinearFiguresAreNearSolvedOnes)
         if (!sample.outside.empty())
             resting.push_back(&sample);
     ASSERT_EQ(resting.size(), samples.size());
-    const std::vector<float> reckoned = linearP95(sweep.linear(), tolerances, count), found = solvedP95(resting);
+    const std::vector<float> reckoned = linearP95(sweep.linear(), tolerances, count).map,
+                             found = solvedP95(resting);
     ASSERT_EQ(reckoned.size(), found.size());
     const auto rms = [](const std::vector<float>& map) {
         return std::sqrt(std::inner_product(map.begin(), map.end(), map.begin(), 0.0) /
@@ -125,7 +126,8 @@ TEST(Sweep, SolvedPiecesCorrectLinearOnes)
     Tolerances tolerances;
     tolerances.all = {Tolerance{{}, 1, "a"}, Tolerance{{}, 1, "b"}};
     const Eigen::MatrixXf linear = (Eigen::MatrixXf(3, 4) << 1, -1, 0, 0, 0, 0, 2, -2, 1, -1, 1, -1).finished();
-    const std::vector<float> many = linearP95(linear, tolerances, 10'000);
+    const LinearP95 reckoned = linearP95(linear, tolerances, 10'000);
+    const std::vector<float>& many = reckoned.map;
     EXPECT_NEAR(many[0], 0.95, 0.01);
     EXPECT_NEAR(many[1], 1.9, 0.02);
     std::vector<SweepSample> solved;
@@ -134,17 +136,17 @@ TEST(Sweep, SolvedPiecesCorrectLinearOnes)
         solved.push_back(linearSample(linear, tolerances, number));
     for (const SweepSample& sample : solved)
         all.push_back(&sample);
-    const std::vector<float> same = correctedP95(many, linear, tolerances, all).map;
+    const std::vector<float> same = correctedP95(reckoned, linear, tolerances, all).map;
     for (std::size_t v = 0; v < many.size(); ++v)
         EXPECT_NEAR(same[v], many[v], 1e-5) << "as linear as they were thought to be";
     for (SweepSample& sample : solved)
         sample.outside[1] *= 1.5F;
-    const CorrectedP95 corrected = correctedP95(many, linear, tolerances, all);
+    const CorrectedP95 corrected = correctedP95(reckoned, linear, tolerances, all);
     EXPECT_NEAR(corrected.map[0], many[0], 1e-5);
     EXPECT_NEAR(corrected.map[1], 1.5 * many[1], 0.15) << "what 64 pieces leave to chance is half of it";
     EXPECT_TRUE(corrected.rmsError);
-    EXPECT_EQ(correctedP95(many, linear, tolerances, {}).map, many);
-    EXPECT_FALSE(correctedP95(many, linear, tolerances, {all.begin(), all.begin() + 15}).rmsError);
+    EXPECT_EQ(correctedP95(reckoned, linear, tolerances, {}).map, many);
+    EXPECT_FALSE(correctedP95(reckoned, linear, tolerances, {all.begin(), all.begin() + 15}).rmsError);
 }
 
 /// Covers that are far from linear, of several tolerances at several places.
@@ -159,7 +161,7 @@ TEST(Sweep, SaysHowSureAFewSolvedPiecesAre)
             linear(v, 2 * k + 1) = -linear(v, 2 * k);
         }
     }
-    const std::vector<float> reckoned = linearP95(linear, tolerances, 10'000);
+    const LinearP95 reckoned = linearP95(linear, tolerances, 10'000);
     const auto solvedFrom = [&](std::uint64_t first, std::uint64_t count) {
         std::vector<SweepSample> pieces;
         for (std::uint64_t number = first; number < first + count; ++number) {

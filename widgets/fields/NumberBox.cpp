@@ -37,6 +37,12 @@ QString variesText()
     return NumberBox::tr("varies");
 }
 
+void keepEnterInNumbers(QWidget& window)
+{
+    for (NumberBox* box : window.findChildren<NumberBox*>())
+        box->m_enterStays = true;
+}
+
 bool takeTyped(QWidget& window)
 {
     for (NumberBox* box : window.findChildren<NumberBox*>()) {
@@ -178,6 +184,13 @@ void NumberBox::focusInEvent(QFocusEvent* event)
 {
     m_clickedInto = event->reason() == Qt::MouseFocusReason;
     QDoubleSpinBox::focusInEvent(event);
+}
+
+void NumberBox::keyPressEvent(QKeyEvent* event)
+{
+    QDoubleSpinBox::keyPressEvent(event);
+    if (m_enterStays && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+        event->accept(); // else it goes on to the window's default button
 }
 
 QString NumberBox::finishTyping()

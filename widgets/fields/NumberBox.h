@@ -20,6 +20,10 @@ QString variesText();
 /// was typed last and the user was not stopped by that yet; it has the keyboard then, and says why.
 bool takeTyped(QWidget& window);
 
+/// Enter in a number box of this window is done with the number and presses no button: for windows that do not end
+/// with it, and whose buttons begin what takes long.
+void keepEnterInNumbers(QWidget& window);
+
 /// Shows no trailing zeros, takes sums, products and, where the unit is mm, other units ("3*25", "2.5 cm"), takes
 /// and shows lengths in the unit that the user likes (its value is in mm all the same), takes
 /// point and comma as the decimal sign (but "1,500" as the language groups digits), and reports a value once: when
@@ -62,6 +66,7 @@ protected:
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     StepEnabled stepEnabled() const override;
 
@@ -75,6 +80,7 @@ private:
     QString refusal(const QString& text) const;
     void say(const QString& why) const;
     friend bool takeTyped(QWidget& window);
+    friend void keepEnterInNumbers(QWidget& window);
     QString withoutUnit(const QString& text) const;
     /// The number that is meant, or nothing.
     std::optional<double> numberIn(const QString& text) const;
@@ -86,6 +92,7 @@ private:
     int m_decimals; ///< behind the point, of mm
     double m_step;
     bool m_lengths;                    ///< takes units of length
+    bool m_enterStays = false;         ///< see keepEnterInNumbers()
     bool m_varies = false;             ///< no one value
     bool m_typedOver = false;          ///< over "varies", or over another value than what is shown since
     std::optional<double> m_meanwhile; ///< what was to be shown last

@@ -164,7 +164,8 @@ public:
         m_linear = sweep.linear(
             [&](double share) { line.say("derivatives, " + numberText(std::floor(100 * share), 3) + " %"); }, stop);
         line.say("linear samples");
-        m_maps.linear = linearP95(m_linear, spec.tolerances, linearSamples, stop);
+        m_linearP95 = linearP95(m_linear, spec.tolerances, linearSamples, stop);
+        m_maps.linear = m_linearP95.map;
     }
 
     /// Returns what went wrong.
@@ -180,7 +181,7 @@ public:
             if (!sample.outside.empty())
                 resting.push_back(&sample);
         m_maps.solved = solvedP95(resting);
-        CorrectedP95 corrected = correctedP95(m_maps.linear, m_linear, m_spec.tolerances, resting);
+        CorrectedP95 corrected = correctedP95(m_linearP95, m_linear, m_spec.tolerances, resting);
         m_maps.corrected = std::move(corrected.map);
         m_rmsError = corrected.rmsError;
         if (std::ssize(solved) != samples)
@@ -298,6 +299,7 @@ private:
     int m_count;
     std::stop_token m_stop;
     Eigen::MatrixXf m_linear;
+    LinearP95 m_linearP95;
     Maps m_maps;
     std::optional<double> m_rmsError; ///< mm
 };

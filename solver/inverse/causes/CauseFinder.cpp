@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <span>
+#include <utility>
 
 namespace bolster {
 
@@ -16,6 +16,10 @@ constexpr double independent = 40; // mm: noise of nearer places, and what no ca
 constexpr double fewestPlaces = 10;
 constexpr double leastNoise = 0.05; // mm
 constexpr double sameField = 0.95;  // cosine
+constexpr int mostSteps = 4;        // of solving a cause
+constexpr double notably = 1;       // of the logarithm of how likely it is
+constexpr int mostLooks = 3;        // each at as many more causes
+constexpr double muchLeft = 2;      // of the mean square of noise
 
 /// What is measured at the vertices of the nominal cover that the scan shows.
 struct Measured {
@@ -79,6 +83,7 @@ struct Candidate {
     Eigen::VectorXd numbers; ///< standard deviations
     double evidence = 0;
     double share = 0;
+    bool looked = false; ///< a cover was tried
     bool solved = false;
     Eigen::VectorXd remains; ///< of the field, when solved
 };
@@ -95,15 +100,23 @@ public:
         , m_scan(scan)
     {}
 
-    void solve(std::span<Candidate> candidates, const std::stop_token& stop)
+    /// Step by step, as long as a step makes a cause notably likelier.
+    void solve(std::vector<Candidate*> candidates, const std::stop_token& stop)
     {
-        std::vector<Eigen::VectorXd> tried;
-        for (const Candidate& candidate : candidates)
-            tried.push_back(rounded(candidate.cause, candidate.numbers));
-        solveAt(candidates, tried, stop);
-        for (std::size_t k = 0; k < candidates.size(); ++k)
-            tried[k] = next(candidates[k], tried[k]);
-        solveAt(candidates, tried, stop);
+        for (int step = 0; step < mostSteps && !candidates.empty() && !stop.stop_requested(); ++step) {
+            std::vector<Eigen::VectorXd> tried;
+            std::vector<double> before;
+            for (const Candidate* candidate : candidates) {
+                tried.push_back(step == 0 ? rounded(candidate->cause, candidate->numbers) : next(*candidate));
+                before.push_back(candidate->solved ? candidate->evidence + notably : -1e300);
+            }
+            solveAt(candidates, tried, stop);
+            std::vector<Candidate*> better;
+            for (std::size_t k = 0; k < candidates.size(); ++k)
+                if (candidates[k]->solved && candidates[k]->evidence > before[k])
+                    better.push_back(candidates[k]);
+            candidates = std::move(better);
+        }
     }
 
 private:
@@ -117,38 +130,36 @@ private:
         return numbers;
     }
 
-    Eigen::VectorXd next(const Candidate& candidate, const Eigen::VectorXd& tried) const
+    Eigen::VectorXd next(const Candidate& candidate) const
     {
-        if (!candidate.solved)
-            return tried;
         const Eigen::VectorXd step =
             m_evidence.step(static_cast<int>(candidate.cause), candidate.fit, candidate.numbers, candidate.remains);
         Eigen::VectorXd there = rounded(candidate.cause, CauseEvidence::plausible(candidate.numbers + step));
         for (Eigen::Index k = 0; k < there.size(); ++k) {
             const Tolerance& tolerance = m_causes[candidate.cause].numbers[static_cast<std::size_t>(k)];
-            if (tolerance.whole && there[k] == tried[k]) // the whole number on the other side
+            if (tolerance.whole && there[k] == candidate.numbers[k]) // the whole number on the other side
                 there[k] += std::copysign(1 / tolerance.spread, step[k]);
         }
         return there;
     }
 
-    void solveAt(std::span<Candidate> candidates, const std::vector<Eigen::VectorXd>& tried,
+    void solveAt(const std::vector<Candidate*>& candidates, const std::vector<Eigen::VectorXd>& tried,
                  const std::stop_token& stop)
     {
         const std::vector<Eigen::Index>& first = m_evidence.columns().first;
         std::vector<Eigen::VectorXd> numbers;
         for (std::size_t k = 0; k < candidates.size(); ++k) {
             numbers.emplace_back(Eigen::VectorXd::Zero(first.back()));
-            const std::vector<Tolerance>& tolerances = m_causes[candidates[k].cause].numbers;
+            const std::vector<Tolerance>& tolerances = m_causes[candidates[k]->cause].numbers;
             for (std::size_t n = 0; n < tolerances.size(); ++n) {
                 const auto at = static_cast<Eigen::Index>(n);
-                numbers.back()[first[candidates[k].cause] + at] = tried[k][at] * tolerances[n].spread;
+                numbers.back()[first[candidates[k]->cause] + at] = tried[k][at] * tolerances[n].spread;
             }
         }
         const std::vector<SurfaceMeshPtr> covers = m_sweep.covers(numbers, stop);
         for (std::size_t k = 0; k < candidates.size(); ++k)
             if (covers[k])
-                take(candidates[k], tried[k], *covers[k]);
+                take(*candidates[k], tried[k], *covers[k]);
     }
 
     void take(Candidate& candidate, const Eigen::VectorXd& tried, const SurfaceMesh& cover) const
@@ -190,6 +201,22 @@ std::vector<Candidate> candidatesOf(const CauseEvidence& evidence)
     }
     std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::evidence);
     return candidates;
+}
+
+/// Until the first ones by what is known are all solved.
+void solveFirst(std::vector<Candidate>& candidates, std::size_t count, CandidateSolver& solver,
+                const std::stop_token& stop)
+{
+    while (!stop.stop_requested()) {
+        std::vector<Candidate*> unsolved;
+        for (std::size_t k = 0; k < count; ++k)
+            if (!std::exchange(candidates[k].looked, true))
+                unsolved.push_back(&candidates[k]);
+        if (unsolved.empty())
+            return;
+        solver.solve(std::move(unsolved), stop);
+        std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::evidence);
+    }
 }
 
 /// Of each candidate the causes that are alike: one of the two can be the field that the other one explains.
@@ -299,11 +326,16 @@ Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
         return result;
     result.noise = evidence.noise();
     std::vector<Candidate> candidates = candidatesOf(evidence);
-    const auto best = static_cast<std::ptrdiff_t>(std::min<std::size_t>(m_solved, candidates.size()));
-    CandidateSolver(m_sweep, m_causes, evidence, measured, scan)
-        .solve(std::span(candidates).first(static_cast<std::size_t>(best)), stop);
-    std::stable_sort(candidates.begin(), candidates.begin() + best,
-                     [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+    CandidateSolver solver(m_sweep, m_causes, evidence, measured, scan);
+    // Cloth that gets slack does not do what derivatives say: where the best one leaves much, more are looked at.
+    std::size_t looked = 0;
+    for (int round = 1; round <= mostLooks && !stop.stop_requested(); ++round) {
+        looked = std::min(static_cast<std::size_t>(round) * m_solved, candidates.size());
+        solveFirst(candidates, looked, solver, stop);
+        const double left = result.rms * result.rms * (1 - (candidates.empty() ? 0 : candidates.front().share));
+        if (left < muchLeft * result.noise * result.noise)
+            break;
+    }
     std::vector<std::vector<std::size_t>> alike = alikeOf(candidates, evidence, stop);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         result.ranked.push_back(explanationOf(candidates[k], m_causes[candidates[k].cause]));

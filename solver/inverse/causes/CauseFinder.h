@@ -9,8 +9,9 @@ namespace bolster {
 
 struct ExplainOrder {
     double edgeLength = 0; ///< of the triangles, mm; 0: the design's
-    int solved = 5;        ///< of how many causes covers are solved, after a look at all by derivatives
-    int threads = 0;       ///< 0: as many as the machine has
+    int solved = 5;  ///< of how many causes covers are solved, after a look at all by derivatives; up to three
+                     ///< times as many where the best leaves much
+    int threads = 0; ///< 0: as many as the machine has
 };
 
 struct Explanation {
@@ -37,6 +38,12 @@ struct Explanations {
     bool nothing() const { return rms < 0.05; }
     /// The likeliest cause explains less than half: how probable it is says little then, as that is of one cause.
     bool weak() const { return !ranked.empty() && 2 * ranked.front().share < 1; }
+    /// The likeliest cause explains most, but leaves more than noise: something else is wrong, too, and what is
+    /// said of its amount may be off by more than its spread.
+    bool leavesMore() const
+    {
+        return !ranked.empty() && !weak() && rms * rms * (1 - ranked.front().share) > 2 * noise * noise;
+    }
 };
 
 /// Covers of one design beside each cause. Not for several threads at once; uses several itself.
