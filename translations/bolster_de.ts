@@ -9736,10 +9736,10 @@
         <translation>Auch diese lassen sich nicht flach legen: %1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
-            <numerusform> (%n Kurve, die sie hält, hält dann nichts mehr)</numerusform>
-            <numerusform> (%n Kurven, die sie halten, halten dann nichts mehr)</numerusform>
+            <numerusform>(%n Kurve, die sie hält, hält dann nichts mehr)</numerusform>
+            <numerusform>(%n Kurven, die sie halten, halten dann nichts mehr)</numerusform>
         </translation>
     </message>
 </context>
@@ -11088,6 +11088,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>Der Entwurf hat sich inzwischen geändert: Suchen Sie neu, oder machen Sie das rückgängig.</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>Der Bezug wandert um %1 (quadratisches Mittel).</translation>
     </message>
 </context>
 <context>

@@ -195,10 +195,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
-            <numerusform> (%n curve that holds them will hold nothing)</numerusform>
-            <numerusform> (%n curves that hold them will hold nothing)</numerusform>
+            <numerusform>(%n curve that holds them will hold nothing)</numerusform>
+            <numerusform>(%n curves that hold them will hold nothing)</numerusform>
         </translation>
     </message>
 </context>

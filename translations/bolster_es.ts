@@ -9736,10 +9736,10 @@
         <translation>Tampoco se pueden aplanar: %1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
-            <numerusform> (%n curva que las sujeta no sujetará nada)</numerusform>
-            <numerusform> (%n curvas que las sujetan no sujetarán nada)</numerusform>
+            <numerusform>(%n curva que las sujeta no sujetará nada)</numerusform>
+            <numerusform>(%n curvas que las sujetan no sujetarán nada)</numerusform>
         </translation>
     </message>
 </context>
@@ -11088,6 +11088,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>El diseño ha cambiado entretanto: busque de nuevo o deshaga eso.</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>La funda se mueve %1 (RMS).</translation>
     </message>
 </context>
 <context>

@@ -9736,10 +9736,10 @@
         <translation>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
-            <numerusform> (%n courbe qui les tient ne tiendra plus rien)</numerusform>
-            <numerusform> (%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
+            <numerusform>(%n courbe qui les tient ne tiendra plus rien)</numerusform>
+            <numerusform>(%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
         </translation>
     </message>
 </context>
@@ -11088,6 +11088,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>Le modèle a changé entre-temps&#x202f;: cherchez de nouveau, ou annulez cela.</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>La housse bouge de %1 (RMS).</translation>
     </message>
 </context>
 <context>

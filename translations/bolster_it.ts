@@ -9736,10 +9736,10 @@
         <translation>Neanche questi si possono stendere: %1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
-            <numerusform> (%n curva che li tiene non terrà più niente)</numerusform>
-            <numerusform> (%n curve che li tengono non terranno più niente)</numerusform>
+            <numerusform>(%n curva che li tiene non terrà più niente)</numerusform>
+            <numerusform>(%n curve che li tengono non terranno più niente)</numerusform>
         </translation>
     </message>
 </context>
@@ -11088,6 +11088,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>Nel frattempo il modello è cambiato: cercare di nuovo o annullare ciò che è cambiato.</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>Il rivestimento si sposta di %1 (rms).</translation>
     </message>
 </context>
 <context>

@@ -9713,7 +9713,7 @@
         <translation>次も平らに展開できません: %1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>（それらを留めている曲線 %n 本は何も留めなくなります）</numerusform>
         </translation>
@@ -11053,6 +11053,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>その間にデザインが変わりました。探し直すか、その操作を元に戻してください。</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>カバーの移動量は %1 (RMS) です。</translation>
     </message>
 </context>
 <context>

@@ -9759,11 +9759,11 @@
         <translation>Tych też nie da się rozłożyć: %1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
-            <numerusform> (%n krzywa, która je trzyma, nie będzie trzymać niczego)</numerusform>
-            <numerusform> (%n krzywe, które je trzymają, nie będą trzymać niczego)</numerusform>
-            <numerusform> (%n krzywych, które je trzymają, nie będzie trzymać niczego)</numerusform>
+            <numerusform>(%n krzywa, która je trzyma, nie będzie trzymać niczego)</numerusform>
+            <numerusform>(%n krzywe, które je trzymają, nie będą trzymać niczego)</numerusform>
+            <numerusform>(%n krzywych, które je trzymają, nie będzie trzymać niczego)</numerusform>
         </translation>
     </message>
 </context>
@@ -11123,6 +11123,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>Model się tymczasem zmienił: szukaj ponownie albo to cofnij.</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>Pokrowiec przesuwa się o %1 (RMS).</translation>
     </message>
 </context>
 <context>

@@ -9713,7 +9713,7 @@
         <translation>以下也无法展平：%1</translation>
     </message>
     <message numerus="yes">
-        <source> (%n curves that hold them will hold nothing)</source>
+        <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>（固定它们的 %n 条曲线将不再固定任何东西）</numerusform>
         </translation>
@@ -11053,6 +11053,10 @@
     <message>
         <source>The design has changed meanwhile: look again, or undo that.</source>
         <translation>设计在此期间已更改：请重新查找，或撤销该操作。</translation>
+    </message>
+    <message>
+        <source>The cover moves by %1 (rms).</source>
+        <translation>面套移动 %1（均方根）。</translation>
     </message>
 </context>
 <context>

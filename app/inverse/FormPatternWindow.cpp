@@ -287,6 +287,10 @@ QWidget* FormPatternWindow::buildWishes()
                              "nothing else. One Undo brings them back."));
     m_replace->hide();
     rows->addWidget(m_replace);
+    m_replaceNote = new QLabel(wishes);
+    m_replaceNote->setWordWrap(true);
+    m_replaceNote->hide();
+    rows->addWidget(m_replaceNote);
     return wishes;
 }
 
@@ -656,10 +660,9 @@ void FormPatternWindow::offerToReplace()
     });
     const auto left = std::ranges::count_if(free, [&](ElementId curve) { return !held.contains(curve); });
     m_replace->setVisible(count > 0);
-    m_replace->setText(tr("&Replace the %n patches of these names", nullptr, static_cast<int>(count)) +
-                       (left > 0
-                            ? tr(" (%n curves that hold them will hold nothing)", nullptr, static_cast<int>(left))
-                            : QString()));
+    m_replace->setText(tr("&Replace the %n patches of these names", nullptr, static_cast<int>(count)));
+    m_replaceNote->setText(tr("(%n curves that hold them will hold nothing)", nullptr, static_cast<int>(left)));
+    m_replaceNote->setVisible(left > 0);
 }
 
 void FormPatternWindow::say()

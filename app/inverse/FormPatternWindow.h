@@ -104,7 +104,7 @@ private:
     NumberBox* m_angle = nullptr;
     QTreeWidget* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;
-    QLabel* m_said = nullptr;
+    QLabel *m_said = nullptr, *m_replaceNote = nullptr;
     QPushButton *m_make = nullptr, *m_stop = nullptr;
     QStackedWidget* m_progress = nullptr;
     QWidget *m_idle = nullptr, *m_busy = nullptr, *m_stopped = nullptr; ///< its pages

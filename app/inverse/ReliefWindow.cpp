@@ -257,6 +257,7 @@ void ReliefWindow::addRelief(std::size_t place)
                       : tr("Sides of seams differ by %1 more").arg(lengthText(relief.sewn)));
     if (relief.moved > 0)
         lines << tr("Outlines change by %1").arg(lengthText(relief.moved));
+    lines << tr("The cover moves by %1 (rms).").arg(lengthText(relief.shape));
     QFrame* card = addCard(m_found->pictures[place], translated(relief.text), lines.join('\n'));
     auto* show = new QPushButton(tr("Show where"), card);
     show->setAutoDefault(false);

@@ -979,6 +979,7 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     for (auto* box : dialog->findChildren<NumberBox*>())
         if (box->suffix().isEmpty()) {
             box->setFocus();
+            box->selectAll();
             QTest::keyClicks(box, "7000");
             QTest::keyClick(box, Qt::Key_Return);
             EXPECT_EQ(box->value(), 7000);

@@ -76,6 +76,8 @@ TEST(Reliefs, TheBestOnesGainWhatIsPredicted)
         EXPECT_NEAR(relief.solved->energy, relief.predicted, 0.03 + 0.3 * relief.predicted)
             << relief.text.english();
         EXPECT_LE(relief.moved, 4 * 6) << relief.text.english();
+        EXPECT_EQ(relief.shape > 0, relief.cover != nullptr) << relief.text.english();
+        EXPECT_LT(relief.shape, 20) << relief.text.english();
         EXPECT_FALSE(hasErrors(checkDesign(input.design.with(relief.edit)))) << relief.text.english();
         places.insert(relief.element);
     }

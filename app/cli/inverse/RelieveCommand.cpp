@@ -95,7 +95,8 @@ void printReliefs(const ReliefList& list)
         printResult(std::to_string(++place) + ". " + relief.text.english() + ": " +
                     gainText(relief.solved->energy) + " excess (" + gainText(relief.predicted) + " predicted), " +
                     areaText(list.now, *relief.solved) + "; sewn " + numberText(relief.sewn, 3) + " mm, outlines " +
-                    numberText(relief.moved, 3) + " mm");
+                    numberText(relief.moved, 3) + " mm, the cover moves by " + numberText(relief.shape, 2) +
+                    " mm (rms)");
     }
     if (missed)
         printError(
@@ -115,6 +116,7 @@ Json reliefReport(const ReliefList& list)
             relief.solved ? Json{{"energy", relief.solved->energy}, {"area", relief.solved->area}} : Json();
         one["sewn_mm"] = relief.sewn;
         one["moved_mm"] = relief.moved;
+        one["shape_mm"] = relief.solved ? Json(relief.shape) : Json();
         reliefs.push_back(std::move(one));
     }
     return {{"over_limit", {{"energy", list.now.energy}, {"area", list.now.area}}},

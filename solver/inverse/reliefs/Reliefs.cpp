@@ -1,5 +1,6 @@
 #include "Reliefs.h"
 
+#include "CoverMove.h"
 #include "CoverTeam.h"
 #include "EditCheck.h"
 #include "FitGoals.h"
@@ -184,6 +185,17 @@ std::size_t bestFirst(std::vector<Relief>& reliefs, int wanted)
     return static_cast<std::size_t>(rest - reliefs.begin());
 }
 
+double shapeChange(const SurfaceMesh& before, const SurfaceMesh& after)
+{
+    const SurfaceMeshPtr from = moveBetween(before, after).from;
+    if (!from || after.positions.empty())
+        return 0;
+    double squares = 0;
+    for (std::size_t v = 0; v < after.positions.size(); ++v)
+        squares += (after.positions[v] - from->positions[v]).squaredNorm();
+    return std::sqrt(squares / static_cast<double>(after.positions.size()));
+}
+
 } // namespace
 
 const char* wordOf(Relief::Kind kind)
@@ -230,6 +242,8 @@ ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order, con
     const std::size_t best = bestFirst(result.reliefs, order.solved);
     for (std::size_t k = 0; k < best; ++k) {
         solveRelief(input, order.limit, result.now, order.threads, result.reliefs[k], stop);
+        if (result.reliefs[k].cover)
+            result.reliefs[k].shape = shapeChange(*result.cover, *result.reliefs[k].cover);
         if (news && !stop.stop_requested())
             news(sharePredicting + (1 - sharePredicting) * static_cast<double>(k + 1) / static_cast<double>(best),
                  &result);

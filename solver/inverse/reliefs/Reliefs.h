@@ -35,6 +35,7 @@ struct Relief {
     std::optional<ReliefGain> solved = {}; ///< on the design's triangles; nothing: not solved, or no cover at rest
     double sewn = 0;           ///< mm: seam that there is more of, or how far the sides of seams become unequal
     double moved = 0;          ///< mm: how far outlines change at most
+    double shape = 0;          ///< mm, rms over the vertices: how far the cover of a solved one moves
     SurfaceMeshPtr cover = {}; ///< of a solved one; null when it does not come to rest
 };
 
