@@ -10799,6 +10799,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>Zurückgenommen. Bewegen Sie den Schieber, um die Änderungen wieder zu sehen.</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>Das ist der Grenze kaum näher: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10799,6 +10799,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>Deshecho. Mueva el control deslizante para volver a ver los cambios.</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>Apenas se acerca al límite: deje cambiar otra cosa, o más.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10799,6 +10799,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>Annulé. Déplacez le curseur pour revoir les modifications.</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>Ce n’est guère plus près de la limite&#x202f;: laissez autre chose changer, ou davantage.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

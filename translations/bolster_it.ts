@@ -10799,6 +10799,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>Annullato. Spostare il cursore per rivedere le modifiche.</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>È appena più vicino al limite: lasci cambiare altro, o di più.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10765,6 +10765,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>元に戻しました。スライダーを動かすと、変更が再び表示されます。</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>限界にほとんど近づいていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

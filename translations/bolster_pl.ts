@@ -10833,6 +10833,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>Cofnięto. Przesuń suwak, aby znów zobaczyć zmiany.</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>To prawie nie jest bliżej granicy: pozwól zmienić się czemuś innemu albo bardziej.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

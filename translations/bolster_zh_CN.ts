@@ -10765,6 +10765,10 @@
         <source>Taken back. Move the slider to see the changes again.</source>
         <translation>已撤回。移动滑块即可再次查看更改。</translation>
     </message>
+    <message>
+        <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
+        <translation>几乎没有更接近极限：请让其他内容改变，或改变得更多。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -277,8 +277,8 @@ void PatternFitWindow::say(const std::optional<FitFigures>& now)
         return (QStringList(lead()) + figures(of)).join('\n');
     };
     m_said->setText(said(now));
-    if (now)
-        m_notes->setText(notes(*now).join('\n'));
+    // Until it is measured nothing is said that was so of something else.
+    m_notes->setText(now ? notes(*now).join('\n') : QStringLiteral("\u2026"));
     // What is below stays under the pointer, also when figures come and take more room.
     keepRoom(*m_said, m_said->width(), said(m_found->result.before));
     keepRoom(*m_notes, m_said->width(), m_notes->text());
@@ -327,6 +327,9 @@ QStringList PatternFitWindow::notes(const FitFigures& now) const
     QStringList lines;
     if (m_sought.lies && strainsForLittle(before, now))
         lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
+    constexpr double notYet = 0.9, notable = 0.005; // of what it was; of the cover
+    if (m_sought.strained && before.overLimit > notable && now.overLimit > notYet * before.overLimit)
+        lines << tr("That is hardly nearer to the limit: let something else change, or more of it.");
     if (missesLengths(m_wanted.order.locks, before, now))
         lines
             << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "
