@@ -352,6 +352,7 @@ std::vector<bool> slackInAPlane(const SewnMesh& mesh, const SheetState& state)
 void seedFolds(const SewnMesh& mesh, SheetState& state)
 {
     constexpr double height = 0.002;   // of D
+    constexpr double lift = 0.006;     // of D
     constexpr double wavelength = 0.2; // of D
     constexpr double least = 0.002;    // strain at which cloth counts as compressed
     constexpr double full = 0.02;
@@ -367,7 +368,7 @@ void seedFolds(const SewnMesh& mesh, SheetState& state)
             auto place = state.positions.col(mesh.topology->unknown[v]);
             place += share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
             if (domes[part.component])
-                place += height * d * normal; // all of it: near the least slack the dome grows slowly
+                place += lift * d * normal; // all of it: near the least slack the dome grows slowly
         }
     }
 }
