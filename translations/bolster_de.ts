@@ -8428,8 +8428,8 @@
         <translation>Das ist weit mehr, als eine solche Ursache gewöhnlich ausmacht: Es können mehrere sein oder andere als diese.</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>Was die wahrscheinlichste Ursache übrig lässt, ist mehr als Rauschen: Noch etwas anderes stimmt nicht, und ihr Maß kann weiter daneben liegen als angegeben.</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Was die wahrscheinlichste Ursache übrig lässt, ist mehr als Rauschen: Vielleicht stimmt noch etwas anderes nicht, und ihr Maß kann weiter daneben liegen als angegeben.</translation>
     </message>
 </context>
 <context>

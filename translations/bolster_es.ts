@@ -8428,8 +8428,8 @@
         <translation>Es mucho más de lo habitual en una causa así: puede haber varias, u otras distintas.</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>Lo que deja la causa más probable es más que ruido: hay algo más que está mal, y su medida puede fallar más de lo indicado.</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Lo que deja la causa más probable es más que ruido: puede haber algo más que esté mal, y su medida puede fallar más de lo indicado.</translation>
     </message>
 </context>
 <context>

@@ -8428,8 +8428,8 @@
         <translation>C’est bien plus que d’ordinaire pour une telle cause&#x202f;: il peut y en avoir plusieurs, ou d’autres que celles-ci.</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>Ce que laisse la cause la plus probable est plus que du bruit&#x202f;: autre chose ne va pas non plus, et sa valeur peut être plus fausse qu’indiqué.</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Ce que laisse la cause la plus probable est plus que du bruit&#x202f;: autre chose ne va peut-être pas non plus, et sa valeur peut être plus fausse qu’indiqué.</translation>
     </message>
 </context>
 <context>

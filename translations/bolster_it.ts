@@ -8428,8 +8428,8 @@
         <translation>È molto più di quanto una causa simile sia di solito: possono essere più d’una, o altre da queste.</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>Quel che la causa più probabile lascia è più che rumore: c’è anche altro che non va, e la sua misura può sbagliare più di quanto indicato.</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>Quel che la causa più probabile lascia è più che rumore: forse c’è anche altro che non va, e la sua misura può sbagliare più di quanto indicato.</translation>
     </message>
 </context>
 <context>

@@ -8422,8 +8422,8 @@
         <translation>このような原因の通常の大きさをはるかに超えています。原因が複数か、これら以外かもしれません。</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>最も可能性の高い原因で説明できずに残る分はノイズより大きく、ほかにも何かがおかしいため、その量は表示より大きく外れているかもしれません。</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>最も可能性の高い原因で説明できずに残る分はノイズより大きく、ほかにも何かがおかしいかもしれず、その量は表示より大きく外れているかもしれません。</translation>
     </message>
 </context>
 <context>

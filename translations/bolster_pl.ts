@@ -8434,8 +8434,8 @@
         <translation>To znacznie więcej, niż taka przyczyna zwykle wynosi: może być ich kilka albo inne niż te.</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>To, co pozostawia najbardziej prawdopodobna przyczyna, to więcej niż szum: coś jeszcze jest nie tak, a jej wartość może być mniej dokładna, niż podano.</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>To, co pozostawia najbardziej prawdopodobna przyczyna, to więcej niż szum: być może coś jeszcze jest nie tak, a jej wartość może być mniej dokładna, niż podano.</translation>
     </message>
 </context>
 <context>

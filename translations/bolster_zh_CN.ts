@@ -8422,8 +8422,8 @@
         <translation>这远大于此类原因的通常程度：可能有多个原因，或是其他原因。</translation>
     </message>
     <message>
-        <source>What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount may be off by more than is said.</source>
-        <translation>最可能的原因未能解释的部分大于噪声：还有别的问题，其数值的偏差可能比所示的更大。</translation>
+        <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
+        <translation>最可能的原因未能解释的部分大于噪声：可能还有别的问题，其数值的偏差可能比所示的更大。</translation>
     </message>
 </context>
 <context>

@@ -308,7 +308,7 @@ void CauseWindow::say()
                      .arg(percentText(std::round(100 * all.ranked.front().share) / 100));
     if (all.leavesMore())
         lines << tr(
-            "What the likeliest cause leaves is more than noise: something else is wrong, too, and its amount "
+            "What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount "
             "may be off by more than is said.");
     if (!m_found->sound && all.mostlyUnexplained())
         lines << tr("Most of the deviation has no cause of these kinds, so the first need not be the right one: "

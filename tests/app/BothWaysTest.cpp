@@ -91,6 +91,18 @@ protected:
         designer.key(Qt::Key_Escape);
     }
 
+    /// Once the window has its size.
+    static bool pointsAtAPiece(FlatPiecesView& pieces)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                for (int x = 0; x < pieces.width() && !pieces.hovered(); x += 5)
+                    QTest::mouseMove(&pieces, {x, pieces.height() / 2 - 20});
+                return pieces.hovered().has_value();
+            },
+            10000);
+    }
+
     static void pressIn(QWidget& dialog, const QString& text)
     {
         for (auto* button : dialog.findChildren<QPushButton*>())
@@ -327,8 +339,7 @@ TEST_F(BothWaysTest, StoppedItKeepsThePiecesFromBefore)
     EXPECT_TRUE(says(*dialog, "These are the pieces from before."));
     EXPECT_FALSE(dialog->made()) << "they are not what is asked for";
     auto* pieces = dialog->findChild<FlatPiecesView*>();
-    QTest::mouseMove(pieces, {pieces->width() / 2, pieces->height() / 2 - 20});
-    EXPECT_TRUE(pieces->hovered());
+    EXPECT_TRUE(pointsAtAPiece(*pieces));
     dialog->close();
 }
 
@@ -418,9 +429,7 @@ f 4 1 5 8
     EXPECT_EQ(drawn(4), 0);
     auto* pieces = dialog->findChild<FlatPiecesView*>();
     ASSERT_TRUE(pieces);
-    for (int x = 0; x < pieces->width() && !pieces->hovered(); x += 5)
-        QTest::mouseMove(pieces, {x, pieces->height() / 2 - 20});
-    ASSERT_TRUE(pieces->hovered());
+    ASSERT_TRUE(pointsAtAPiece(*pieces));
     EXPECT_EQ(drawn(4), 1) << "and that under the pointer";
     const auto seen = [&] { return window.patternView().navigation().transform().matrix(); };
     const QTransform before = seen();

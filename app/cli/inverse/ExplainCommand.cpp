@@ -99,8 +99,9 @@ void printExplanations(const Explanations& found, const std::vector<Cause>& caus
                    numberText(100 * found.ranked.front().share, 2) +
                    " % of the deviation: there may be several, or others than these");
     if (found.leavesMore())
-        printError("warning: what the likeliest cause leaves is more than noise: something else is wrong, too, and "
-                   "its amount may be off by more than is said");
+        printError(
+            "warning: what the likeliest cause leaves is more than noise: something else may be wrong, too, and "
+            "its amount may be off by more than is said");
 }
 
 Json listOf(const Eigen::VectorXd& values)
