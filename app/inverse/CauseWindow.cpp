@@ -29,7 +29,6 @@ namespace {
 constexpr std::size_t shownCauses = 12;
 constexpr std::size_t namedAlike = 3;
 constexpr double hardlyAny = 0.005;         // of the deviation, or of all that is likely
-constexpr double mostTimesUsual = 3;        // as large as a cause usually is at most
 constexpr double shareOfDerivatives = 0.85; // of the time that it takes
 
 QString kindText(Cause::Kind kind)
@@ -131,14 +130,13 @@ QString wholePercent(double ratio)
 }
 
 /// The likely ones first; of those that are hardly likely the ones that explain more. Nothing is said of what
-/// explains nothing, or is not likely and would have to be larger than anybody makes it.
-std::vector<std::size_t> rowsOf(const Explanations& explained, const std::vector<Cause>& causes)
+/// explains nothing.
+std::vector<std::size_t> rowsOf(const Explanations& explained)
 {
     std::vector<std::size_t> rows;
     const auto& ranked = explained.ranked;
     for (std::size_t k = 0; k < ranked.size(); ++k) {
-        const bool isThinkable = timesUsual(ranked[k], causes[ranked[k].cause]) <= mostTimesUsual;
-        if (ranked[k].probability >= hardlyAny || (ranked[k].share >= hardlyAny && isThinkable))
+        if (ranked[k].probability >= hardlyAny || ranked[k].share >= hardlyAny)
             rows.push_back(k);
     }
     std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
@@ -318,7 +316,7 @@ void CauseWindow::say()
 
 void CauseWindow::fill()
 {
-    m_rows = rowsOf(m_found->explained, m_found->causes);
+    m_rows = rowsOf(m_found->explained);
     for (const std::size_t k : m_rows) {
         const Explanation& one = m_found->explained.ranked[k];
         const Cause& cause = m_found->causes[one.cause];

@@ -48,13 +48,11 @@ namespace bolster {
 
 namespace {
 
-constexpr double equallyLong = 0.01;    // mm: less is nothing to sewing
-constexpr double besidePattern = 100;   // mm
-constexpr int mostLinesSaid = 9;        // that are seen at once
-constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
-constexpr double manyVertices = 60'000; // of a cover
-constexpr std::size_t mostNotes = 5;    // of pieces that are left out
-constexpr qsizetype mostNames = 4;      // of parts that are refused
+constexpr double besidePattern = 100; // mm
+constexpr int mostLinesSaid = 9;      // that are seen at once
+constexpr float hiddenLines = 0.25F;  // share of their opacity behind the form
+constexpr std::size_t mostNotes = 5;  // of pieces that are left out
+constexpr qsizetype mostNames = 4;    // of parts that are refused
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -697,7 +695,7 @@ void FormPatternWindow::say()
     if (const int seams = static_cast<int>(m_made->pattern.seams.size()); seams > 0)
         lines.back() +=
             ", " +
-            (widest < equallyLong
+            (widest < FormPattern::equallyLong
                  ? tr("%n seams, whose sides are equally long", nullptr, seams)
                  : tr("%n seams, whose sides differ by %1 at most", nullptr, seams).arg(lengthText(widest, 2)));
     const std::vector<Message>& notes = m_made->pattern.notes; // a line for each piece that is left out
@@ -717,11 +715,11 @@ void FormPatternWindow::say()
                     nullptr, over);
     const double area = patternArea(m_made->pattern.design);
     if (const double vertices = vertexCount(area, m_document.design().settings().edgeLength);
-        vertices > manyVertices)
+        vertices > FormPattern::manyVertices)
         lines
             << tr("Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.")
                    .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
-                        lengthText(std::ceil(edgeLengthFor(area, manyVertices)), 0));
+                        lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
     if (frame() && whole > 0 && !frame()->contact)
         lines << tr(
             "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");

@@ -32,12 +32,11 @@ constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles besi
 constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
 constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
-constexpr double manyVertices = 60'000; // of a cover: more take their time
-constexpr std::size_t mostNamed = 3;    // pieces in a sentence
-constexpr double crossing = 0.3;        // of a direction's length: less of it lies in a piece that it crosses
-constexpr double unbearable = 0.5;      // strain: not even knitted fabrics
-constexpr double narrowest = 0.1;       // mm: nobody sews less
-constexpr double sameShape = 0.5;       // mm: from each other's mirror image are twins
+constexpr std::size_t mostNamed = 3; // pieces in a sentence
+constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
+constexpr double unbearable = 0.5;   // strain: not even knitted fabrics
+constexpr double narrowest = 0.1;    // mm: nobody sews less
+constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
 
 constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
 constexpr double mostTimes = 20;                 // as many samples as an edge of usual length has
@@ -429,7 +428,7 @@ private:
         std::vector<std::size_t> small, specks;
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
             if (isThere(p) && areaOf(p) < least * least)
-                (vertexCount(all, edgesFor({p})) > manyVertices ? specks : small).push_back(p);
+                (vertexCount(all, edgesFor({p})) > FormPattern::manyVertices ? specks : small).push_back(p);
         if (!small.empty())
             m_result.advice.push_back(
                 {QT_TRANSLATE_NOOP("Message",

@@ -36,7 +36,12 @@ struct FormPattern {
     Design design;
     std::vector<ElementId> patches; ///< of each piece; none where it could not be made
     std::vector<FormSeam> seams;
-    std::vector<Message> notes;  ///< pieces that are left out, and why
+    std::vector<Message> notes; ///< pieces that are left out, and why
+    /// mm: sides of a seam that differ by less are equal to whoever sews them.
+    static constexpr double equallyLong = 0.01;
+    /// Of a cover: more take their time.
+    static constexpr double manyVertices = 60'000;
+
     std::vector<Message> advice; ///< why its cover will not be like the form, and what to do about that
 };
 

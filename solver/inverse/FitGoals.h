@@ -75,19 +75,11 @@ struct FitGoals {
     std::vector<SeamGoal> seams;
     std::vector<SizeGoal> sizes;
 
-    bool isFormAlone() const
-    {
-        return !target.empty() && !strain && smooth.empty() && seams.empty() && sizes.empty();
-    }
-    bool isSmoothnessAlone() const
-    {
-        return !smooth.empty() && target.empty() && !strain && seams.empty() && sizes.empty();
-    }
-    bool isLimitAlone() const
-    {
-        return strain && target.empty() && smooth.empty() && seams.empty() && sizes.empty();
-    }
-    bool any() const { return !target.empty() || strain || !smooth.empty() || !seams.empty() || !sizes.empty(); }
+    int kinds() const { return !target.empty() + strain + !smooth.empty() + !seams.empty() + !sizes.empty(); }
+    bool isFormAlone() const { return !target.empty() && kinds() == 1; }
+    bool isSmoothnessAlone() const { return !smooth.empty() && kinds() == 1; }
+    bool isLimitAlone() const { return strain && kinds() == 1; }
+    bool any() const { return kinds() > 0; }
 };
 
 struct FitLocks {

@@ -285,11 +285,11 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
     double widest = 0;
     for (const FormSeam& seam : made.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
-    constexpr double equallyLong = 0.01; // mm: less is nothing to sewing
     printResult(counted(static_cast<std::int64_t>(made.seams.size()), "seam") +
-                (made.seams.empty()     ? std::string()
-                 : widest < equallyLong ? std::string(", whose sides are equally long")
-                                        : ", whose sides differ by " + numberText(widest, 2) + " mm at most"));
+                (made.seams.empty() ? std::string()
+                 : widest < FormPattern::equallyLong
+                     ? std::string(", whose sides are equally long")
+                     : ", whose sides differ by " + numberText(widest, 2) + " mm at most"));
 }
 
 } // namespace

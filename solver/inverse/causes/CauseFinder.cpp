@@ -19,7 +19,6 @@ constexpr double sameField = 0.95;  // cosine
 constexpr int mostSteps = 4;        // of solving a cause
 constexpr double notably = 1;       // of the logarithm of how likely it is
 constexpr int mostLooks = 3;        // each at as many more causes
-constexpr double muchLeft = 2;      // of the mean square of noise
 
 /// What is measured at the vertices of the nominal cover that the scan shows.
 struct Measured {
@@ -262,8 +261,7 @@ Explanation explanationOf(const Candidate& candidate, const Cause& cause)
 /// a little more than the next.
 void addProbabilities(Explanations& result, double places)
 {
-    const double left = result.ranked.empty() ? 0 : result.rms * result.rms * (1 - result.ranked.front().share);
-    const double beyond = std::max(0.0, left / (result.noise * result.noise) - 1);
+    const double beyond = result.ranked.empty() ? 0 : std::max(0.0, result.leftBy(result.ranked.front().share) - 1);
     const double louder = 1 + beyond * places / fewestPlaces; // than noise, in mean squares
     double most = 0, sum = 0;
     for (const Explanation& one : result.ranked)
@@ -332,8 +330,7 @@ Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
     for (int round = 1; round <= mostLooks && !stop.stop_requested(); ++round) {
         looked = std::min(static_cast<std::size_t>(round) * m_solved, candidates.size());
         solveFirst(candidates, looked, solver, stop);
-        const double left = result.rms * result.rms * (1 - (candidates.empty() ? 0 : candidates.front().share));
-        if (left < muchLeft * result.noise * result.noise)
+        if (result.leftBy(candidates.empty() ? 0 : candidates.front().share) < Explanations::muchLeft)
             break;
     }
     std::vector<std::vector<std::size_t>> alike = alikeOf(candidates, evidence, stop);

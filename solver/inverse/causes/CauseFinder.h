@@ -40,10 +40,10 @@ struct Explanations {
     bool weak() const { return !ranked.empty() && 2 * ranked.front().share < 1; }
     /// The likeliest cause explains most, but leaves more than noise: something else is wrong, too, and what is
     /// said of its amount may be off by more than its spread.
-    bool leavesMore() const
-    {
-        return !ranked.empty() && !weak() && rms * rms * (1 - ranked.front().share) > 2 * noise * noise;
-    }
+    bool leavesMore() const { return !ranked.empty() && !weak() && leftBy(ranked.front().share) > muchLeft; }
+    /// What a cause leaves of the deviation that explains such a share, in mean squares of the noise.
+    double leftBy(double share) const { return rms * rms * (1 - share) / (noise * noise); }
+    static constexpr double muchLeft = 2;
 };
 
 /// Covers of one design beside each cause. Not for several threads at once; uses several itself.
