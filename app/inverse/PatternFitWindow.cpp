@@ -225,13 +225,13 @@ void PatternFitWindow::showProgress(double share, const FitRound& round)
     m_reached.result.before = round.before;
     m_reached.result.after = round.figures;
     if (m_sought.lies && round.few)
-        m_said->setText(
-            tr("%1 from the form (rms; before: %2), on few triangles at first")
-                .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2)));
+        m_said->setText(tr("%1 from %3 (rms; before: %2), on few triangles at first")
+                            .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2),
+                                 formName()));
     else if (m_sought.lies)
-        m_said->setText(
-            tr("%1 from the form (rms; before: %2)")
-                .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2)));
+        m_said->setText(tr("%1 from %3 (rms; before: %2)")
+                            .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2),
+                                 formName()));
     else if (m_sought.strained && round.few)
         m_said->setText(tr("%1 of the cover is over the limit (before: %2), on few triangles at first")
                             .arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
@@ -298,9 +298,9 @@ QStringList PatternFitWindow::figures(const std::optional<FitFigures>& now) cons
     };
     QStringList lines;
     if (m_sought.lies)
-        lines << tr("From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
+        lines << tr("From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
                      .arg(lengthText(before.distanceRms, 2), length(&FitFigures::distanceRms),
-                          lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95));
+                          lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95), formName());
     const bool inArea = !m_wanted.order.goals.area.isAll();
     lines << (!m_sought.strained ? inArea ? tr("Over the fabrics' limits: %1 of the painted area before, %2 now")
                                           : tr("Over the fabrics' limits: %1 of the cover before, %2 now")
@@ -319,6 +319,30 @@ QStringList PatternFitWindow::figures(const std::optional<FitFigures>& now) cons
     return lines << tr("The cover moves by %1 (rms).").arg(length(&FitFigures::shapeRms));
 }
 
+/// Of what the cover shall lie on.
+QString PatternFitWindow::formName() const
+{
+    const FitForm& form = m_wanted.form;
+    return isolated(form.scan ? QString::fromStdString(form.scan->name) : QFileInfo(form.file).fileName());
+}
+
+QString PatternFitWindow::missText(MissedGoal::Kind kind) const
+{
+    switch (kind) {
+    case MissedGoal::Kind::Form:
+        return tr("That is hardly nearer to %1: let something else change, or more of it.").arg(formName());
+    case MissedGoal::Kind::Strain:
+        return tr("That is hardly nearer to the limit: let something else change, or more of it.");
+    case MissedGoal::Kind::Smooth:
+        return tr("Hardly less is pressed together: let something else change, or more of it.");
+    case MissedGoal::Kind::Seams:
+        return tr("That is hardly nearer to the curve: let something else change, or more of it.");
+    case MissedGoal::Kind::Sizes:
+        break;
+    }
+    return tr("That is hardly nearer to the area that is wanted: let something else change, or more of it.");
+}
+
 /// What is to be thought of before it is taken.
 QStringList PatternFitWindow::notes(const FitFigures& now) const
 {
@@ -327,9 +351,9 @@ QStringList PatternFitWindow::notes(const FitFigures& now) const
     QStringList lines;
     if (m_sought.lies && strainsForLittle(before, now))
         lines << tr("That is hardly nearer, and strains the cloth more: let something else change, or less of it.");
-    constexpr double notYet = 0.9, notable = 0.005; // of what it was; of the cover
-    if (m_sought.strained && before.overLimit > notable && now.overLimit > notYet * before.overLimit)
-        lines << tr("That is hardly nearer to the limit: let something else change, or more of it.");
+    else
+        for (const MissedGoal& miss : missedGoals(m_sought.strained, before, now))
+            lines << missText(miss.kind);
     if (missesLengths(m_wanted.order.locks, before, now))
         lines
             << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "

@@ -56,6 +56,8 @@ private:
     void say(const std::optional<FitFigures>& now);
     QStringList figures(const std::optional<FitFigures>& now) const;
     QStringList notes(const FitFigures& now) const;
+    QString missText(MissedGoal::Kind kind) const;
+    QString formName() const;
     Message verb() const;
     bool showsAll() const;
     QString lead() const;

@@ -89,12 +89,14 @@ QString axisText(const Tolerance& tolerance)
 
 } // namespace
 
-SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& maps, QWidget* parent)
+SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& maps,
+                         std::shared_ptr<SweepWishes> remembered, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_selection(selection)
     , m_maps(maps)
+    , m_remembered(std::move(remembered))
     , m_job(
           [this](const SweepWanted& wanted, const std::stop_token& stop) {
               return findSweep(
@@ -117,6 +119,7 @@ SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& 
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     keepEnterInNumbers(*this);
+    fillIn(*m_remembered);
     connect(&m_document, &Document::changed, this, &SweepWindow::documentChanged);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
     connect(&m_maps, &MapLink::measured, this, &SweepWindow::mapsChanged);
@@ -124,6 +127,7 @@ SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& 
 
 SweepWindow::~SweepWindow()
 {
+    *m_remembered = {asked(), m_samples->value(), m_limit->value()};
     m_job.cancel();
     m_maps.disconnect(this);
     m_maps.setGuest(nullptr);
@@ -180,6 +184,7 @@ QWidget* SweepWindow::buildTolerances()
         const int row = place / 3, column = 2 * (place % 3);
         grid->addWidget(label, row, column);
         grid->addWidget(spread, row, column + 1);
+        connect(spread, &NumberBox::entered, this, &SweepWindow::wishesChanged);
         m_spreads.push_back(spread);
         ++place;
     }
@@ -195,19 +200,48 @@ QWidget* SweepWindow::buildPieces()
     m_drawn->addItem(tr("Every size within is as likely"));
     m_drawn->addItem(tr("Normal: the tolerance is three standard deviations"));
     m_drawn->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(m_drawn, &QComboBox::activated, this, &SweepWindow::wishesChanged);
     m_samples = new NumberBox({QString(), 0, 0, 10'000, 50}, box);
     m_samples->display(usualSamples);
     m_samples->setToolTip(tr("Before them ten thousand are drawn as if covers were linear, which takes seconds"));
     m_limit = new NumberBox({millimetreSuffix, 2, 0.01, 1000, 0.5, true}, box);
     m_limit->display(usualLimit);
+    connect(m_limit, &NumberBox::entered, this, &SweepWindow::wishesChanged);
     m_limit->setToolTip(
         tr("A piece is out of it when more than 5 % of its cover lie farther from where they should be"));
     auto* form = new QFormLayout(box);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->addRow(tr("Dr&awn"), m_drawn);
     form->addRow(tr("S&olved"), m_samples);
-    form->addRow(tr("&Limit"), m_limit);
+    form->addRow(tr("&Limit for 95 % of a cover"), m_limit);
     return box;
+}
+
+void SweepWindow::fillIn(const SweepWishes& wishes)
+{
+    if (wishes.asked.empty())
+        return;
+    m_drawn->setCurrentIndex(static_cast<int>(wishes.asked.front()));
+    for (std::size_t k = 0; k < m_spreads.size(); ++k)
+        m_spreads[k]->display(wishes.asked[k + 1]);
+    m_samples->display(wishes.samples);
+    m_limit->display(wishes.limit);
+}
+
+/// What the tolerances follow from.
+std::vector<double> SweepWindow::asked() const
+{
+    std::vector<double> numbers{static_cast<double>(m_drawn->currentIndex())};
+    for (const NumberBox* spread : m_spreads)
+        numbers.push_back(spread->value());
+    return numbers;
+}
+
+/// Figures of other wishes do not look as if they were of these.
+void SweepWindow::wishesChanged()
+{
+    if (m_found)
+        say();
 }
 
 void SweepWindow::addTolerances()
@@ -230,13 +264,11 @@ void SweepWindow::find()
     if (!takeTyped(*this))
         return;
     m_document.cancelGesture();
-    std::vector<double> asked{static_cast<double>(m_drawn->currentIndex())};
-    for (const NumberBox* spread : m_spreads)
-        asked.push_back(spread->value());
+    m_lead.clear();
     // What was found is of the design as it is: more pieces, or another limit, go on from there.
-    const bool more = m_found && asked == m_asked;
+    const bool more = m_found && asked() == m_asked;
     if (!more) {
-        m_asked = std::move(asked);
+        m_asked = asked();
         m_start = m_document.committed();
         addTolerances();
         forget(m_tolerances.all.empty()
@@ -266,7 +298,8 @@ void SweepWindow::stop()
         return;
     }
     m_found->whole = true;
-    say(tr("Stopped."));
+    m_lead = tr("Stopped.");
+    say();
 }
 
 void SweepWindow::take(SweepFound found)
@@ -291,10 +324,11 @@ void SweepWindow::take(SweepFound found)
     showMap();
 }
 
-/// `lead`: a line that comes first.
-void SweepWindow::say(const QString& lead)
+void SweepWindow::say()
 {
-    QStringList lines(lead.isEmpty() ? 0 : 1, lead);
+    QStringList lines(m_lead.isEmpty() ? 0 : 1, m_lead);
+    if (asked() != m_asked || m_limit->value() != m_limitAsked)
+        lines << tr("This is of what was set before: draw pieces for what is set now.");
     lines << figuresText() << outText();
     if (m_found->resting == 0)
         lines << (m_found->whole ? tr("That is as if covers were linear.")

@@ -8,7 +8,9 @@
 
 #include <QDialog>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -22,11 +24,19 @@ class MapLink;
 class NumberBox;
 class RunRow;
 
+/// What the window was filled in with, to be filled in again.
+struct SweepWishes {
+    std::vector<double> asked; ///< nothing is remembered when it is empty
+    double samples = 0, limit = 0;
+};
+
 class SweepWindow : public QDialog {
     Q_OBJECT
 
 public:
-    SweepWindow(DesignSession& session, Selection& selection, MapLink& maps, QWidget* parent = nullptr);
+    /// Begins as `remembered` says, which says then how it was when it was closed.
+    SweepWindow(DesignSession& session, Selection& selection, MapLink& maps,
+                std::shared_ptr<SweepWishes> remembered, QWidget* parent = nullptr);
     ~SweepWindow() override;
 
     /// What is known of the design as it is.
@@ -36,13 +46,16 @@ private:
     void build();
     QWidget* buildTolerances();
     QWidget* buildPieces();
+    void fillIn(const SweepWishes& wishes);
+    std::vector<double> asked() const;
+    void wishesChanged();
     void addTolerances();
     QString figuresText() const;
     QString outText() const;
     void find();
     void stop();
     void take(SweepFound found);
-    void say(const QString& lead = {});
+    void say();
     void fill();
     void showMap();
     void mapsChanged();
@@ -54,6 +67,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     MapLink& m_maps;
+    std::shared_ptr<SweepWishes> m_remembered;
 
     std::vector<NumberBox*> m_spreads; ///< one for each kind of tolerances
     QComboBox* m_drawn = nullptr;
@@ -66,6 +80,7 @@ private:
     Design m_start;                ///< of what is sought or was found
     Tolerances m_tolerances;       ///< that were asked for
     std::vector<double> m_asked;   ///< the numbers that they follow from
+    QString m_lead;                ///< a line that comes first
     double m_limitAsked = 0;       ///< mm
     std::vector<QString> m_titles; ///< of each of them
     std::optional<SweepFound> m_found;

@@ -60,16 +60,23 @@ double medianEdge(const std::vector<double>& at)
     return middle == lengths.end() ? 0 : *middle;
 }
 
+/// How far along a row its points are, mm.
+template <class Point>
+std::vector<double> lengthsAlong(const std::vector<Point>& row)
+{
+    std::vector<double> at(row.size(), 0);
+    for (std::size_t i = 1; i < row.size(); ++i)
+        at[i] = at[i - 1] + (row[i] - row[i - 1]).norm();
+    return at;
+}
+
 /// A smooth row of points between corners, and more places on the curve through them: cubic Hermite pieces, whose
 /// tangents are those of the parabolas through three neighbours. Where an edge is much longer than the other one
-/// the row turns from a line into a bend: the line stays straight.
+/// the row turns from a line into a bend: the line stays straight. `at` are the parameters of the points.
 template <class Point>
-CurveSamples smoothSamples(const std::vector<Point>& row)
+CurveSamples smoothSamples(const std::vector<Point>& row, const std::vector<double>& at)
 {
     const std::size_t count = row.size();
-    std::vector<double> at(count, 0);
-    for (std::size_t i = 1; i < count; ++i)
-        at[i] = at[i - 1] + (row[i] - row[i - 1]).norm();
     const auto slope = [&](std::size_t i) {
         return Point((row[i + 1] - row[i]) / std::max(at[i + 1] - at[i], 1e-9));
     };
@@ -157,6 +164,7 @@ public:
             adviseOnHolding();
             adviseOnEdges();
             adviseOnSize();
+            adviseOnWidth();
             adviseOnStrain();
         }
         return std::move(m_result);
@@ -443,6 +451,33 @@ private:
                  {numberText(m_order.edgeLength, 3), namesOf(specks)}});
     }
 
+    /// mm, across the grain.
+    double breadthOf(std::size_t p) const
+    {
+        const double grain = m_result.design.find<Patch>(m_result.patches[p])->grain * std::numbers::pi / 180;
+        const Vec2 across(-std::sin(grain), std::cos(grain));
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (std::size_t k = 0; k < piece(p).border.size(); ++k) {
+            least = std::min(least, flatPoint(p, k).dot(across));
+            most = std::max(most, flatPoint(p, k).dot(across));
+        }
+        return most - least;
+    }
+
+    void adviseOnWidth()
+    {
+        std::vector<std::size_t> broad;
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            if (isThere(p) && breadthOf(p) > m_order.fabric.cutting.width)
+                broad.push_back(p);
+        if (!broad.empty())
+            m_result.advice.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide "
+                                   "them, or turn their grain"),
+                 {numberText(m_order.fabric.cutting.width), namesOf(broad)}});
+    }
+
     void adviseOnStrain()
     {
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
@@ -475,7 +510,7 @@ private:
     {
         if (isStraight(row, m_order.tolerance / 4))
             return edits::polyline({row.front(), row.back()}, 3, 0, 1);
-        const BSpline3 fitted = fitCurve(smoothSamples(row), m_order.tolerance);
+        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), m_order.tolerance);
         std::vector<Vec2> points;
         for (const Vec3& point : fitted.points())
             points.emplace_back(point.head<2>());
@@ -590,17 +625,21 @@ private:
         return around[vertex];
     }
 
+    /// The parameters of the curve are those of the outline, so that each point of the cloth is held where it lies
+    /// on the form, also where the cloth is strained along its border.
     void addFixation(std::size_t p, const BorderRow& row, std::size_t r)
     {
         CurveSamples samples;
         std::vector<Vec3> smooth{formPoint(p, row.first)};
+        std::vector<Vec2> laid{flatPoint(p, row.first)};
         double at = 0;
         for (std::size_t k = 1; k <= row.count; ++k) {
             const std::size_t index = (row.first + k) % piece(p).border.size();
             smooth.push_back(formPoint(p, index));
+            laid.push_back(flatPoint(p, index));
             if (k < row.count && !isCorner(p, index))
                 continue;
-            const CurveSamples part = smoothSamples(smooth);
+            const CurveSamples part = smoothSamples(smooth, lengthsAlong(laid));
             if (at > 0)
                 samples.corners.push_back(at);
             for (std::size_t i = at > 0 ? 1 : 0; i < part.points.size(); ++i) {
@@ -609,6 +648,7 @@ private:
             }
             at += part.end;
             smooth = {formPoint(p, index)};
+            laid = {flatPoint(p, index)};
         }
         samples.end = at;
         FixationCurve curve;
@@ -616,8 +656,27 @@ private:
         curve.curve = fitCurve(samples, m_order.tolerance);
         FixationSeam fixation;
         fixation.stretch = stretchOf(p, r);
+        fixation.match = slipOf(p, row) > m_order.tolerance ? Match::Parameter : Match::Length;
         fixation.curve = m_builder.add(std::move(curve));
         m_builder.add(fixation);
+    }
+
+    /// How far a point of the row would be held off its place if lengths alone counted, mm.
+    double slipOf(std::size_t p, const BorderRow& row) const
+    {
+        std::vector<Vec3> onForm;
+        std::vector<Vec2> laid;
+        for (std::size_t k = 0; k <= row.count; ++k) {
+            const std::size_t index = (row.first + k) % piece(p).border.size();
+            onForm.push_back(formPoint(p, index));
+            laid.push_back(flatPoint(p, index));
+        }
+        const std::vector<double> there = lengthsAlong(onForm), here = lengthsAlong(laid);
+        const double scale = there.back() / std::max(here.back(), 1e-9);
+        double most = 0;
+        for (std::size_t k = 0; k < there.size(); ++k)
+            most = std::max(most, std::abs(here[k] * scale - there[k]));
+        return most;
     }
 
     /// Whether the border of one piece, mirrored at x = 0, lies on that of the other one.

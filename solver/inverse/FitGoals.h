@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace bolster {
 
@@ -112,5 +113,13 @@ bool mendsLengths(const FitLocks& locks, const FitFigures& before, const FitFigu
 /// Whether a cover that should come nearer to a target hardly does, and much more of it is strained over its
 /// limits.
 bool strainsForLittle(const FitFigures& before, const FitFigures& after);
+
+/// What a change was for, and hardly brought nearer.
+struct MissedGoal {
+    enum class Kind { Form, Strain, Smooth, Seams, Sizes } kind;
+    double before, after; ///< mm rms of the form and seams, else shares
+};
+/// Figures of what is no goal are 0, but for those of strain: `strained` says whether that is one.
+std::vector<MissedGoal> missedGoals(bool strained, const FitFigures& before, const FitFigures& after);
 
 } // namespace bolster

@@ -157,6 +157,29 @@ bool strainsForLittle(const FitFigures& before, const FitFigures& after)
     return after.distanceRms > littleGained * before.distanceRms && after.overLimit > before.overLimit + muchMore;
 }
 
+std::vector<MissedGoal> missedGoals(bool strained, const FitFigures& before, const FitFigures& after)
+{
+    constexpr double hardlyNearer = 0.9;              // of what it was
+    constexpr double mostOfIt = 0.5;                  // of all there is
+    constexpr double nearMm = 0.5, nearShare = 0.005; // that is reached
+    std::vector<MissedGoal> missed;
+    const auto length = [&](MissedGoal::Kind kind, double was, double is) {
+        if (was > nearMm && is > hardlyNearer * was)
+            missed.push_back({kind, was, is});
+    };
+    const auto share = [&](MissedGoal::Kind kind, double was, double is) {
+        if (was > nearShare && (is > hardlyNearer * was || is > mostOfIt))
+            missed.push_back({kind, was, is});
+    };
+    length(MissedGoal::Kind::Form, before.distanceRms, after.distanceRms);
+    if (strained)
+        share(MissedGoal::Kind::Strain, before.overLimit, after.overLimit);
+    share(MissedGoal::Kind::Smooth, before.pressed, after.pressed);
+    length(MissedGoal::Kind::Seams, before.seamRms, after.seamRms);
+    share(MissedGoal::Kind::Sizes, before.sizeMost, after.sizeMost);
+    return missed;
+}
+
 bool FitArea::hasWhole(ElementId patch) const
 {
     return isAll() || patches.contains(patch);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace bolster {
 
@@ -260,6 +261,48 @@ std::vector<OutlineCuts::Along> OutlineCuts::along(const OutlineSpan& span, Matc
     return result;
 }
 
+/// Of each cut within `from`: the one within `to` that it makes a pair with; 0: none. Pairs are not farther apart
+/// than `near`, as fractions. Those that are each other's nearest come first, or a corner could take its
+/// neighbour's partner; then, between them, what is left in order.
+std::vector<std::size_t> OutlineCuts::partners(const std::vector<Along>& from, const std::vector<Along>& to,
+                                               double near)
+{
+    const auto nearest = [](const std::vector<Along>& all, double fraction) -> std::size_t {
+        std::size_t best = 0;
+        const auto above = std::lower_bound(all.begin() + 1, all.end() - 1, fraction,
+                                            [](const Along& one, double value) { return one.fraction < value; });
+        for (const std::ptrdiff_t k : {above - all.begin() - 1, above - all.begin()})
+            if (const auto index = static_cast<std::size_t>(k);
+                k > 0 && index + 1 < all.size() &&
+                (best == 0 || all[index].fraction - fraction < fraction - all[best].fraction))
+                best = index;
+        return best;
+    };
+    const auto close = [&](std::size_t k, std::size_t j) {
+        return std::abs(from[k].fraction - to[j].fraction) <= near;
+    };
+    std::vector<std::size_t> partner(from.size(), 0);
+    for (std::size_t k = 1; k + 1 < from.size(); ++k)
+        if (const std::size_t j = nearest(to, from[k].fraction);
+            j > 0 && close(k, j) && nearest(from, to[j].fraction) == k)
+            partner[k] = j;
+    std::size_t free = 1; // of `to`, behind all that have partners so far
+    for (std::size_t k = 1; k + 1 < from.size(); ++k) {
+        if (partner[k] > 0) {
+            free = partner[k] + 1;
+            continue;
+        }
+        const auto taken = std::find_if(partner.begin() + static_cast<std::ptrdiff_t>(k), partner.end(),
+                                        [](std::size_t j) { return j > 0; });
+        const std::size_t end = taken == partner.end() ? to.size() - 1 : *taken;
+        while (free < end && to[free].fraction < from[k].fraction - near)
+            ++free;
+        if (free < end && close(k, free))
+            partner[k] = free++;
+    }
+    return partner;
+}
+
 /// Adds to the other side the cuts that only this side has. Cuts that lie close together are a pair already.
 bool OutlineCuts::carry(const SeamSpans& seam, bool forward)
 {
@@ -269,16 +312,11 @@ bool OutlineCuts::carry(const SeamSpans& seam, bool forward)
     const std::vector<Along>&from = forward ? a : b, &to = forward ? b : a;
     const OutlineSpan& target = forward ? seam.b : seam.a;
     const double near = snap * m_edge / (target.s1 - target.s0); // as a fraction
+    const std::vector<std::size_t> partner = partners(from, to, near);
     std::vector<double> missing;
-    std::size_t next = 1; // each cut of `to` pairs with one of `from` only
-    for (std::size_t k = 1; k + 1 < from.size(); ++k) {
-        while (next + 1 < to.size() && to[next].fraction < from[k].fraction - near)
-            ++next;
-        if (next + 1 < to.size() && to[next].fraction <= from[k].fraction + near)
-            ++next;
-        else
+    for (std::size_t k = 1; k + 1 < from.size(); ++k)
+        if (partner[k] == 0)
             missing.push_back(from[k].fraction);
-    }
     bool added = false;
     for (double fraction : missing) {
         const double onTarget = forward && reversed ? 1 - fraction : fraction;

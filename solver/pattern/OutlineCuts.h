@@ -111,6 +111,8 @@ private:
     Problems strayStretches() const;
     void cutAtCornersAndEnds();
     void cutAtCurveCorners(const FixationSpan& fixation);
+    static std::vector<std::size_t> partners(const std::vector<Along>& from, const std::vector<Along>& to,
+                                             double near);
     bool carry(const SeamSpans& seam, bool forward);
     double parameterAt(const OutlineSpan& span, double fraction, Match match) const;
     Problem problem(ElementId id, const char* field, const char* sentence) const;

@@ -737,7 +737,7 @@ TEST_F(BothWaysTest, StoppedItShowsTheBestThatWasFound)
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
             for (const auto* label : dialog->findChildren<QLabel*>())
-                if (label->text().contains("from the form (rms")) {
+                if (label->text().contains("(rms; before:")) {
                     first = first.isEmpty() ? label->text() : first;
                     return label->text() != first; // a round has made it better
                 }

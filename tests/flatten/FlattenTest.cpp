@@ -275,6 +275,25 @@ TEST(Flatten, SmallPiecesAreNamedAndSpecksAskForNoShorterEdges)
     EXPECT_EQ(speck.find("mesh edges"), std::string::npos) << speck;
 }
 
+TEST(Flatten, PiecesThatAreWiderThanTheFabricAreNamed)
+{
+    const Form form = cutForm(gridMesh(
+                                  20, 10, [](double u, double v) { return Vec3(1500 * u, 0, 300 * v); }, "Back"),
+                              {});
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    FormPatternOrder order;
+    order.edgeLength = 40;
+    const FormPattern upright = formPattern(form, flat, order);
+    ASSERT_EQ(upright.advice.size(), 1U);
+    EXPECT_NE(upright.advice[0].english().find("1400 mm can be used: Back."), std::string::npos)
+        << upright.advice[0].english();
+    order.grain = FormGrain::side();
+    EXPECT_TRUE(formPattern(form, flat, order).advice.empty()) << "it is as long as one likes along the grain";
+    order.grain = {};
+    order.fabric.cutting.width = 1600;
+    EXPECT_TRUE(formPattern(form, flat, order).advice.empty());
+}
+
 TEST(Flatten, APieceOfAPlaneStaysAsItIsWhateverTheFabric)
 {
     for (const double poisson : {-0.4, 0.0, 0.45}) {

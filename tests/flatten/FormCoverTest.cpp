@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <numbers>
 
 namespace bolster::test {
 namespace {
@@ -70,6 +73,49 @@ TEST(FormCover, OfATubeIsThatTube)
     EXPECT_LT(solved.report.strain.rms, 0.005);
     for (const Vec3& at : solved.surface->positions)
         EXPECT_NEAR(at.head<2>().norm(), 100, 1);
+}
+
+/// Where on the form the border of a piece lies that is nearest to a place in the pattern.
+Vec3 onForm(const Form& form, const FormPiece& piece, const FlatPiece& flat, const Vec2& place)
+{
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 found = Vec3::Zero();
+    for (std::size_t k = 0; k < piece.border.size(); ++k) {
+        const int from = piece.border[k], to = piece.border[piece.after(k)];
+        const Vec2 way = flat.at[to] - flat.at[from];
+        const double along = std::clamp((place - flat.at[from]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+        const double distance = (flat.at[from] + along * way - place).norm();
+        if (distance < least) {
+            least = distance;
+            found = (1 - along) * form.points[piece.points[from]] + along * form.points[piece.points[to]];
+        }
+    }
+    return found;
+}
+
+/// A crowned sheet is not strained evenly along its border when it lies flat: by lengths alone its cover was held
+/// beside where it lies, and sheared.
+TEST(FormCover, IsHeldWhereItLiesOnTheForm)
+{
+    const double pi = std::numbers::pi;
+    const Form form = cutForm(gridMesh(40, 30,
+                                       [&](double u, double v) {
+                                           const double high = std::sin(pi * u) * std::sin(pi * v);
+                                           return Vec3(400 * u, 300 * v, 120 * high);
+                                       }),
+                              {});
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    const FormPattern made = formPattern(form, flat, {});
+    const SolveResult solved = solveResting(made.design, {});
+    ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
+    std::size_t held = 0;
+    for (const SurfaceTopology::Chain& chain : solved.surface->topology->fixations)
+        for (const std::uint32_t v : chain.a) {
+            const Vec3 place = onForm(form, form.pieces[0], flat[0], solved.surface->topology->pattern[v]);
+            EXPECT_LT((solved.surface->positions[v] - place).norm(), 0.5);
+            ++held;
+        }
+    EXPECT_GT(held, 100U);
 }
 
 TEST(FormCover, OfTheCarSeatLiesOnIt)

@@ -205,6 +205,36 @@ TEST(FitGoals, MoreThatIsOverTheLimitIsNoGain)
 }
 
 /// What lies outside of the area may be as far off as it likes.
+TEST(FitGoals, WhatComesHardlyNearerIsSaidGoalByGoal)
+{
+    FitFigures before, after;
+    before.distanceRms = 8;
+    after.distanceRms = 7.6;
+    before.overLimit = 0.2;
+    after.overLimit = 0.19;
+    before.pressed = 0.3;
+    after.pressed = 0.1;
+    const std::vector<MissedGoal> missed = missedGoals(true, before, after);
+    ASSERT_EQ(missed.size(), 2U);
+    EXPECT_EQ(missed[0].kind, MissedGoal::Kind::Form);
+    EXPECT_EQ(missed[0].after, 7.6);
+    EXPECT_EQ(missed[1].kind, MissedGoal::Kind::Strain);
+    EXPECT_EQ(missedGoals(false, before, after).size(), 1U) << "a limit that is no goal is not missed";
+
+    after.distanceRms = 0.4;
+    before.distanceRms = 0.42;
+    EXPECT_TRUE(missedGoals(false, before, after).empty()) << "it was reached from the beginning";
+    before.sizeMost = after.sizeMost = 0.1;
+    before.seamRms = 5;
+    after.seamRms = 4;
+    before.pressed = 0.9;
+    after.pressed = 0.6;
+    const std::vector<MissedGoal> half = missedGoals(false, before, after);
+    ASSERT_EQ(half.size(), 2U);
+    EXPECT_EQ(half[0].kind, MissedGoal::Kind::Smooth) << "most of it is still pressed together";
+    EXPECT_EQ(half[1].kind, MissedGoal::Kind::Sizes);
+}
+
 TEST(FitGoals, OnlyAPaintedAreaCounts)
 {
     FitArea area{{}, {{ElementId{7}, Vec2(100, 50), 20}}};

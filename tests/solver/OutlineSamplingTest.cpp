@@ -109,6 +109,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"cornersPassingTheStart", cornered(), blob(80, 9), 9, 3, 6, 1, false, Match::Length}),
     [](const auto& way) { return way.param.name; });
 
+/// A corner near two of the other side belongs to the nearer one, from whichever end one looks.
+TEST(OutlineSampling, CornersCloseTogetherPairWithTheNearest)
+{
+    for (const double other : {94.4, 105.6}) {
+        DesignBuilder builder(30);
+        const ElementId fabric = builder.fabric(0.3, 5);
+        const BSpline2 two(
+            1, true,
+            {{0, 0}, {std::min(other, 100.0), 0}, {std::max(other, 100.0), 0}, {200, 0}, {200, 90}, {0, 90}});
+        const BSpline2 one(1, true, {{0, 0}, {200, 0}, {200, 90}, {99.9, 90}, {0, 90}});
+        const ElementId a = builder.patch(two, fabric), b = builder.patch(one, fabric);
+        builder.seam({a, 0, 3}, {b, 2, 4}, true);
+        const OutlineSampling sampling = sampleOutlines(builder.design());
+        ASSERT_TRUE(sampling.problems.empty());
+        const auto& chain = sampling.seams[0];
+        ASSERT_EQ(chain.a.size(), chain.b.size());
+        for (std::size_t k = 0; k < chain.a.size(); ++k)
+            EXPECT_NEAR(sampling.outlines[0].points[chain.a[k]].x(), sampling.outlines[1].points[chain.b[k]].x(),
+                        0.11)
+                << other;
+    }
+}
+
 TEST(OutlineSampling, WholeOutlinesCanBeSewn)
 {
     DesignBuilder b(10);

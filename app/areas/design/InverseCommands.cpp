@@ -50,6 +50,7 @@ InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
                                  "pattern.fit", "pattern.relieve", "pattern.explain", "pattern.tolerances"}))
     , m_formWishes(std::make_shared<FormPatternWishes>())
     , m_fitWishes(std::make_shared<FitWishes>())
+    , m_sweepWishes(std::make_shared<SweepWishes>())
 {
     addCommands(commands);
     // What was wished for another design, by a window that is about to close, too, is of no use for this one.
@@ -57,6 +58,7 @@ InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
         m_viewOfStep.reset();
         m_formWishes = std::make_shared<FormPatternWishes>();
         m_fitWishes = std::make_shared<FitWishes>();
+        m_sweepWishes = std::make_shared<SweepWishes>();
     });
 }
 
@@ -119,7 +121,8 @@ void InverseCommands::addCommands(Commands& commands)
                   .enabled = anyPatch,
                   .does = [this] {
                       show(m_sweep, [this] {
-                          return new SweepWindow(m_parts.session, m_parts.selection, m_parts.maps, &m_parts.window);
+                          return new SweepWindow(m_parts.session, m_parts.selection, m_parts.maps, m_sweepWishes,
+                                                 &m_parts.window);
                       });
                   }});
 }

@@ -22,6 +22,7 @@ class MapLink;
 class PatternView;
 class Selection;
 class SolverLink;
+struct SweepWishes;
 
 class InverseCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(InverseCommands)
@@ -50,6 +51,7 @@ private:
     QList<QAction*> m_alsoThere;                     ///< whose keys do in the windows what they do in the main one
     std::shared_ptr<FormPatternWishes> m_formWishes; ///< of the design that is open
     std::shared_ptr<FitWishes> m_fitWishes;          ///< likewise
+    std::shared_ptr<SweepWishes> m_sweepWishes;      ///< likewise
     std::unique_ptr<QObject> m_viewOfStep;           ///< of the last pattern that was made of a form
     QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };

@@ -340,36 +340,18 @@ std::string reachedText(const FitGoals& goals, const FitFigures& figures)
     return text + overLimitText(goals, figures) + " over the limit" + (goals.limit ? "" : "s of the fabrics");
 }
 
-/// A goal that is hardly nearer than before.
-struct Shortfall {
-    std::string goal, before, after;
-};
-
-std::vector<Shortfall> shortfalls(const FitGoals& goals, const FitFigures& before, const FitFigures& after)
+std::string missText(const MissedGoal& miss)
 {
-    constexpr double hardlyNearer = 0.9;              // of what it was
-    constexpr double mostOfIt = 0.5;                  // of all there is
-    constexpr double nearMm = 0.5, nearShare = 0.005; // that is reached
-    std::vector<Shortfall> found;
-    const auto lengths = [&](const char* goal, double was, double is) {
-        if (was > nearMm && is > hardlyNearer * was)
-            found.push_back({goal, numberText(was, 3) + " mm rms", numberText(is, 3) + " mm"});
-    };
-    const auto shares = [&](const char* goal, double was, double is) {
-        if (was > nearShare && (is > hardlyNearer * was || is > mostOfIt))
-            found.push_back({goal, percentText(was), percentText(is)});
-    };
-    if (!goals.target.empty())
-        lengths("the form", before.distanceRms, after.distanceRms);
-    if (goals.strain)
-        shares("the limit of strain", before.overLimit, after.overLimit);
-    if (!goals.smooth.empty())
-        shares("the patches without folds", before.pressed, after.pressed);
-    if (!goals.seams.empty())
-        lengths("the curves", before.seamRms, after.seamRms);
-    if (!goals.sizes.empty())
-        shares("the area that is wanted", before.sizeMost, after.sizeMost);
-    return found;
+    using enum MissedGoal::Kind;
+    const bool isLength = miss.kind == Form || miss.kind == Seams;
+    const std::string before = isLength ? numberText(miss.before, 3) + " mm rms" : percentText(miss.before),
+                      after = isLength ? numberText(miss.after, 3) + " mm" : percentText(miss.after);
+    const char* goal = miss.kind == Form     ? "the form"
+                       : miss.kind == Strain ? "the limit of strain"
+                       : miss.kind == Smooth ? "the patches without folds"
+                       : miss.kind == Seams  ? "the curves"
+                                             : "the area that is wanted";
+    return std::string("it comes hardly nearer to ") + goal + ": " + before + " before, " + after + " now";
 }
 
 /// What the change costs, or does not bring.
@@ -381,9 +363,9 @@ void printMisses(const FitOrder& order, const FitResult& result)
         printError("warning: only " + percentText(before.covered, 2) +
                    " of the cover has the form beside it: the distances are of that alone");
     if (!result.values.isZero())
-        for (const Shortfall& miss : shortfalls(order.goals, before, after))
-            printError("warning: it comes hardly nearer to " + miss.goal + ": " + miss.before + " before, " +
-                       miss.after + " now; let something else change, or more of it (--freedom, --max-change)");
+        for (const MissedGoal& miss : missedGoals(order.goals.strain, before, after))
+            printError("warning: " + missText(miss) +
+                       "; let something else change, or more of it (--freedom, --max-change)");
     if (after.overLimit > before.overLimit + notablyMore)
         printError("warning: more of the cloth is strained over its limits: " + overLimitText(order.goals, before) +
                    " before, " + overLimitText(order.goals, after) +
