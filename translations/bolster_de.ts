@@ -6037,6 +6037,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>Nach %1 Schritten lässt sich noch nicht sagen, wo die Oberfläche zur Ruhe kommt. Erlauben Sie mehr Schritte.</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>Quer zum Fadenlauf breiter als der Stoff, von dem %1 mm nutzbar sind: %2. Teilen Sie sie oder drehen Sie ihren Fadenlauf</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10661,10 +10665,6 @@
         <translation>Keine Änderung macht es besser.</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>Von der Form entfernt: %1 vorher, %2 jetzt (quadratisches Mittel); %3 vorher, %4 jetzt (95 %)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Der Bezug wandert um %1 (quadratisches Mittel).</translation>
     </message>
@@ -10760,14 +10760,6 @@
         <translation>Das ist kaum näher und dehnt den Stoff stärker: lassen Sie anderes sich ändern, oder weniger davon.</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>%1 von der Form (RMS; vorher: %2), zunächst auf wenigen Dreiecken</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>%1 von der Form (RMS; vorher: %2)</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Angehalten. Was bis dahin gefunden wurde, macht es nicht besser: Nichts hat sich geändert.</translation>
     </message>
@@ -10802,6 +10794,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>Das ist der Grenze kaum näher: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>%1 von %3 (RMS; vorher: %2), zunächst auf wenigen Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>%1 von %3 (RMS; vorher: %2)</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>Von %5 entfernt: %1 vorher, %2 jetzt (quadratisches Mittel); %3 vorher, %4 jetzt (95 %)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>Das ist %1 kaum näher: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>Kaum weniger ist gestaucht: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>Das ist der Kurve kaum näher: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>Das ist der gewünschten Fläche kaum näher: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
     </message>
 </context>
 <context>
@@ -11096,6 +11116,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Der Bezug wandert um %1 (quadratisches Mittel).</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>Von %1 entfernt (quadratisches Mittel): %2, dann %3</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12323,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Be&amp;rechnet</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>&amp;Grenze</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>Nichts schwankt: Geben Sie eine Toleranz über 0 für etwas an, das der Entwurf hat.</translation>
     </message>
@@ -12393,6 +12413,14 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>Das sind zu wenige, um zu sagen, wie sicher das ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>&amp;Grenze für 95 % eines Bezugs</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>Das gilt für das, was vorher eingestellt war: Ziehen Sie Stücke für das, was jetzt eingestellt ist.</translation>
     </message>
 </context>
 <context>

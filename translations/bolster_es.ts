@@ -6037,6 +6037,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>Tras %1 iteraciones aún no se puede decir dónde quedará en reposo la superficie. Permita más iteraciones.</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>Más anchas a contrahilo que la tela, de la que se pueden usar %1 mm: %2. Divídalas o gire su sentido del hilo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10661,10 +10665,6 @@
         <translation>Ningún cambio lo mejora.</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>Respecto a la forma: antes %1, ahora %2 (RMS); antes %3, ahora %4 (95&#xa0;%)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La funda se mueve %1 (RMS).</translation>
     </message>
@@ -10760,14 +10760,6 @@
         <translation>Apenas se acerca y deforma más la tela: deje cambiar otra cosa, o menos.</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>%1 de la forma (RMS; antes: %2), primero con pocos triángulos</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>%1 de la forma (RMS; antes: %2)</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Detenido. Lo hallado hasta entonces no lo mejora: nada ha cambiado.</translation>
     </message>
@@ -10802,6 +10794,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>Apenas se acerca al límite: deje cambiar otra cosa, o más.</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>%1 de %3 (RMS; antes: %2), primero con pocos triángulos</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>%1 de %3 (RMS; antes: %2)</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>Respecto a %5: antes %1, ahora %2 (RMS); antes %3, ahora %4 (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>Apenas se acerca a %1: deje cambiar otra cosa, o más.</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>Apenas hay menos tela comprimida: deje cambiar otra cosa, o más.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>Apenas se acerca a la curva: deje cambiar otra cosa, o más.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>Apenas se acerca a la superficie deseada: deje cambiar otra cosa, o más.</translation>
     </message>
 </context>
 <context>
@@ -11096,6 +11116,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La funda se mueve %1 (RMS).</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>Respecto a %1 (RMS): %2, después %3</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12323,6 @@ Lo que ve es donde estaba la tela al final.</translation>
         <translation>&amp;Calculadas</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>&amp;Límite</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>Nada varía: indique una tolerancia mayor que 0 para algo que tenga el diseño.</translation>
     </message>
@@ -12393,6 +12413,14 @@ Lo que ve es donde estaba la tela al final.</translation>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>Son demasiado pocas para decir qué tan seguro es.</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>&amp;Límite para el 95&#xa0;% de una funda</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>Esto corresponde a lo que se había ajustado antes: genere piezas para lo que está ajustado ahora.</translation>
     </message>
 </context>
 <context>

@@ -6037,6 +6037,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>Après %1 itérations, on ne peut pas encore dire où la surface s’immobilisera. Permettez plus d’itérations.</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>Plus larges en travers du droit-fil que le tissu, dont %1&#x202f;mm sont utilisables&#x202f;: %2. Divisez-les ou tournez leur droit-fil</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10661,10 +10665,6 @@
         <translation>Aucune modification n’améliore le résultat.</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>De la forme&#x202f;: %1 avant, %2 maintenant (RMS)&#x202f;; %3 avant, %4 maintenant (95&#x202f;%)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La housse bouge de %1 (RMS).</translation>
     </message>
@@ -10760,14 +10760,6 @@
         <translation>C’est à peine plus près, et le tissu est plus déformé&#x202f;: laissez changer autre chose, ou moins.</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>à %1 de la forme (RMS&#x202f;; avant&#x202f;: %2), d’abord sur peu de triangles</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>à %1 de la forme (RMS&#x202f;; avant&#x202f;: %2)</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Arrêté. Ce qui a été trouvé jusque-là ne l’améliore pas&#x202f;: rien n’a changé.</translation>
     </message>
@@ -10802,6 +10794,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>Ce n’est guère plus près de la limite&#x202f;: laissez autre chose changer, ou davantage.</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>à %1 de %3 (RMS&#x202f;; avant&#x202f;: %2), d’abord sur peu de triangles</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>à %1 de %3 (RMS&#x202f;; avant&#x202f;: %2)</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>De %5&#x202f;: %1 avant, %2 maintenant (RMS)&#x202f;; %3 avant, %4 maintenant (95&#x202f;%)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>Ce n’est guère plus près de %1&#x202f;: laissez autre chose changer, ou davantage.</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>Il n’y a guère moins de tissu comprimé&#x202f;: laissez autre chose changer, ou davantage.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>Ce n’est guère plus près de la courbe&#x202f;: laissez autre chose changer, ou davantage.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>Ce n’est guère plus près de la surface voulue&#x202f;: laissez autre chose changer, ou davantage.</translation>
     </message>
 </context>
 <context>
@@ -11096,6 +11116,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La housse bouge de %1 (RMS).</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>De %1 (RMS)&#x202f;: %2, puis %3</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12323,6 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
         <translation>Calcu&amp;lés</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>Limi&amp;te</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>Rien ne varie&#x202f;: donnez une tolérance supérieure à 0 à quelque chose que le modèle possède.</translation>
     </message>
@@ -12393,6 +12413,14 @@ Vous voyez le tissu tel qu’il était à la fin.</translation>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>C’est trop peu pour dire à quel point c’est sûr.</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>Limi&amp;te pour 95&#x202f;% d’une housse</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>Cela vaut pour ce qui était réglé avant&#x202f;: tirez des exemplaires pour ce qui est réglé maintenant.</translation>
     </message>
 </context>
 <context>

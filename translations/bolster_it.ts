@@ -6037,6 +6037,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>Dopo %1 iterazioni non si può ancora dire dove la superficie si fermerà. Consentire più iterazioni.</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>Più larghi attraverso il drittofilo del tessuto, di cui sono utilizzabili %1 mm: %2. Li divida o giri il loro drittofilo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10661,10 +10665,6 @@
         <translation>Nessuna modifica lo migliora.</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>Dalla forma: %1 prima, %2 ora (rms); %3 prima, %4 ora (95&#xa0;%)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Il rivestimento si sposta di %1 (rms).</translation>
     </message>
@@ -10760,14 +10760,6 @@
         <translation>È appena più vicino e deforma di più il tessuto: lasci cambiare altro, o meno.</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>%1 dalla forma (RMS; prima: %2), dapprima su pochi triangoli</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>%1 dalla forma (RMS; prima: %2)</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Fermato. Quanto trovato finora non lo migliora: nulla è cambiato.</translation>
     </message>
@@ -10802,6 +10794,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>È appena più vicino al limite: lasci cambiare altro, o di più.</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>%1 da %3 (RMS; prima: %2), dapprima su pochi triangoli</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>%1 da %3 (RMS; prima: %2)</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>Da %5: %1 prima, %2 ora (rms); %3 prima, %4 ora (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>È appena più vicino a %1: lasci cambiare altro, o di più.</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>È compresso appena di meno: lasci cambiare altro, o di più.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>È appena più vicino alla curva: lasci cambiare altro, o di più.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>È appena più vicino all’area voluta: lasci cambiare altro, o di più.</translation>
     </message>
 </context>
 <context>
@@ -11096,6 +11116,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Il rivestimento si sposta di %1 (rms).</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>Da %1 (rms): %2, poi %3</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12323,6 @@ Si vede il tessuto com’era alla fine.</translation>
         <translation>Ca&amp;lcolati</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>Li&amp;mite</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>Nulla varia: indicare una tolleranza maggiore di 0 per qualcosa che il modello ha.</translation>
     </message>
@@ -12393,6 +12413,14 @@ Si vede il tessuto com’era alla fine.</translation>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>Sono troppo pochi per dire quanto è sicuro.</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>Li&amp;mite per il 95&#xa0;% di un rivestimento</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>Questo vale per ciò che era impostato prima: generi pezzi per ciò che è impostato ora.</translation>
     </message>
 </context>
 <context>

@@ -6033,6 +6033,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>%1 回の反復後も、面がどこで静止するかまだわかりません。反復回数を増やしてください。</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>地の目に直交する幅が生地の使用可能幅 %1 mm を超えています: %2。分割するか、地の目を回してください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10628,10 +10632,6 @@
         <translation>改善する変更はありません。</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>形状との差: 変更前 %1、現在 %2 (RMS)。変更前 %3、現在 %4 (95&#xa0;%)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>カバーの移動量は %1 (RMS) です。</translation>
     </message>
@@ -10726,14 +10726,6 @@
         <translation>ほとんど近づかず、布地のひずみが増えています。別のものを変えるか、変更を少なくしてください。</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>形状から %1（RMS、変更前：%2）、まず少ない三角形で</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>形状から %1（RMS、変更前：%2）</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>停止しました。それまでに見つかった変更では改善しません。何も変更されていません。</translation>
     </message>
@@ -10768,6 +10760,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>限界にほとんど近づいていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>%3 から %1（RMS、変更前：%2）、まず少ない三角形で</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>%3 から %1（RMS、変更前：%2）</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>%5 との差: 変更前 %1、現在 %2 (RMS)。変更前 %3、現在 %4 (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>%1 にほとんど近づいていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>押し縮められた部分がほとんど減っていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>曲線にほとんど近づいていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>希望の面積にほとんど近づいていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
     </message>
 </context>
 <context>
@@ -11061,6 +11081,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>カバーの移動量は %1 (RMS) です。</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>%1 との差 (RMS): 現在 %2、変更後 %3</translation>
     </message>
 </context>
 <context>
@@ -12259,10 +12283,6 @@ What you see is where the cloth was at the end.</source>
         <translation>計算する数(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>限界(&amp;L)</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>ばらつくものがありません。デザインにあるものに 0 より大きい公差を指定してください。</translation>
     </message>
@@ -12349,6 +12369,14 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>どの程度確かかを言うには少なすぎます。</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>カバーの 95&#xa0;% についての限界(&amp;L)</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>これは以前の設定についての結果です。現在の設定で個体を抽出してください。</translation>
     </message>
 </context>
 <context>

@@ -6041,6 +6041,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>Po iteracjach w liczbie %1 nie da się jeszcze powiedzieć, gdzie powierzchnia się zatrzyma. Dopuść więcej iteracji.</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>W poprzek nitki prostej szersze niż tkanina, z której można użyć %1 mm: %2. Podziel je albo obróć ich nitkę prostą</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10694,10 +10698,6 @@
         <translation>Żadna zmiana tego nie poprawi.</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>Od formy: %1 przedtem, %2 teraz (RMS); %3 przedtem, %4 teraz (95%)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Pokrowiec przesuwa się o %1 (RMS).</translation>
     </message>
@@ -10794,14 +10794,6 @@
         <translation>To prawie nie zbliża, a bardziej odkształca tkaninę: proszę pozwolić zmienić się czemuś innemu albo mniej.</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>%1 od formy (RMS; przedtem: %2), najpierw na niewielu trójkątach</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>%1 od formy (RMS; przedtem: %2)</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>Zatrzymano. To, co dotąd znaleziono, niczego nie poprawia: nic się nie zmieniło.</translation>
     </message>
@@ -10836,6 +10828,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>To prawie nie jest bliżej granicy: pozwól zmienić się czemuś innemu albo bardziej.</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>%1 od %3 (RMS; przedtem: %2), najpierw na niewielu trójkątach</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>%1 od %3 (RMS; przedtem: %2)</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>Odległość od %5: %1 przedtem, %2 teraz (RMS); %3 przedtem, %4 teraz (95%)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>To prawie nie jest bliżej %1: pozwól zmienić się czemuś innemu albo bardziej.</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>Ściśniętych miejsc prawie nie jest mniej: pozwól zmienić się czemuś innemu albo bardziej.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>To prawie nie jest bliżej krzywej: pozwól zmienić się czemuś innemu albo bardziej.</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>To prawie nie jest bliżej żądanego pola: pozwól zmienić się czemuś innemu albo bardziej.</translation>
     </message>
 </context>
 <context>
@@ -11131,6 +11151,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Pokrowiec przesuwa się o %1 (RMS).</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>Odległość od %1 (RMS): %2, potem %3</translation>
     </message>
 </context>
 <context>
@@ -12339,10 +12363,6 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
         <translation>O&amp;bliczone</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>&amp;Granica</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>Nic się nie zmienia: podaj tolerancję powyżej 0 dla czegoś, co jest w modelu.</translation>
     </message>
@@ -12437,6 +12457,14 @@ Widać materiał w położeniu, w którym znalazł się na końcu.</translation>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>To za mało, by powiedzieć, jak pewne to jest.</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>&amp;Granica dla 95% pokrowca</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>To dotyczy poprzednich ustawień: wylosuj sztuki dla obecnych.</translation>
     </message>
 </context>
 <context>

@@ -6033,6 +6033,10 @@
         <source>After %1 iterations it cannot be told yet where the surface comes to rest. Allow more iterations.</source>
         <translation>%1 次迭代后，尚无法判断曲面将静止在何处。请允许更多迭代。</translation>
     </message>
+    <message>
+        <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
+        <translation>垂直于布纹的宽度超过面料可用宽度 %1 mm：%2。请分割它们，或旋转其布纹</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -10628,10 +10632,6 @@
         <translation>没有更改能使其更好。</translation>
     </message>
     <message>
-        <source>From the form: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
-        <translation>距形体：之前 %1，现在 %2（均方根）；之前 %3，现在 %4 (95%)</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>面套移动 %1（均方根）。</translation>
     </message>
@@ -10726,14 +10726,6 @@
         <translation>这样几乎没有更接近，面料应变却更大：请改为允许其他变化，或减少变化。</translation>
     </message>
     <message>
-        <source>%1 from the form (rms; before: %2), on few triangles at first</source>
-        <translation>与形体相距 %1（均方根；之前：%2），先用少量三角形</translation>
-    </message>
-    <message>
-        <source>%1 from the form (rms; before: %2)</source>
-        <translation>与形体相距 %1（均方根；之前：%2）</translation>
-    </message>
-    <message>
         <source>Stopped. What was found until then makes it no better: nothing has changed.</source>
         <translation>已停止。此前找到的更改并没有改善：未作任何更改。</translation>
     </message>
@@ -10768,6 +10760,34 @@
     <message>
         <source>That is hardly nearer to the limit: let something else change, or more of it.</source>
         <translation>几乎没有更接近极限：请让其他内容改变，或改变得更多。</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2), on few triangles at first</source>
+        <translation>与 %3 相距 %1（均方根；之前：%2），先用少量三角形</translation>
+    </message>
+    <message>
+        <source>%1 from %3 (rms; before: %2)</source>
+        <translation>与 %3 相距 %1（均方根；之前：%2）</translation>
+    </message>
+    <message>
+        <source>From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)</source>
+        <translation>距 %5：之前 %1，现在 %2（均方根）；之前 %3，现在 %4 (95%)</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to %1: let something else change, or more of it.</source>
+        <translation>几乎没有更接近 %1：请让其他内容改变，或改变得更多。</translation>
+    </message>
+    <message>
+        <source>Hardly less is pressed together: let something else change, or more of it.</source>
+        <translation>受压的部分几乎没有减少：请让其他内容改变，或改变得更多。</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the curve: let something else change, or more of it.</source>
+        <translation>几乎没有更接近曲线：请让其他内容改变，或改变得更多。</translation>
+    </message>
+    <message>
+        <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
+        <translation>几乎没有更接近所需面积：请让其他内容改变，或改变得更多。</translation>
     </message>
 </context>
 <context>
@@ -11061,6 +11081,10 @@
     <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>面套移动 %1（均方根）。</translation>
+    </message>
+    <message>
+        <source>From %1 (rms): %2, then %3</source>
+        <translation>距 %1（均方根）：%2，之后 %3</translation>
     </message>
 </context>
 <context>
@@ -12259,10 +12283,6 @@ What you see is where the cloth was at the end.</source>
         <translation>求解数(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Limit</source>
-        <translation>极限(&amp;L)</translation>
-    </message>
-    <message>
         <source>Nothing varies: give a tolerance above 0 of something that the design has.</source>
         <translation>没有变化：请为设计中存在的某项给出大于 0 的公差。</translation>
     </message>
@@ -12349,6 +12369,14 @@ What you see is where the cloth was at the end.</source>
     <message>
         <source>These are too few to say how sure that is.</source>
         <translation>数量太少，无法说明其可靠程度。</translation>
+    </message>
+    <message>
+        <source>&amp;Limit for 95 % of a cover</source>
+        <translation>面套 95% 的极限(&amp;L)</translation>
+    </message>
+    <message>
+        <source>This is of what was set before: draw pieces for what is set now.</source>
+        <translation>这是之前设置的结果：请为现在的设置抽取样件。</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,6 @@ namespace bolster {
 namespace {
 
 constexpr double margin = 14;      // pixels
-constexpr double roomForName = 60; // pixels: narrower pieces have none
 constexpr double mostHidden = 0.4; // of a piece's height, by its name
 constexpr int colourSteps = 24;    // triangles of a step are painted together
 constexpr int scaleWidth = 120;    // pixels of the bar with the colours
@@ -201,11 +200,10 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(border);
     const QRectF box = border.boundingRect();
-    const QString name =
-        fontMetrics().elidedText(QString::fromStdString(piece.name), Qt::ElideRight, static_cast<int>(box.width()));
+    const QString name = QString::fromStdString(piece.name);
     QRectF plate = fontMetrics().boundingRect(name);
     plate.moveCenter(box.center());
-    if (box.width() < roomForName || plate.height() > mostHidden * box.height())
+    if (plate.width() > box.width() || plate.height() > mostHidden * box.height())
         return; // a tip has it
     painter.fillRect(plate.adjusted(-3, -1, 3, 1), colors.canvas);
     painter.setPen(colors.label);

@@ -258,6 +258,11 @@ void ReliefWindow::addRelief(std::size_t place)
     if (relief.moved > 0)
         lines << tr("Outlines change by %1").arg(lengthText(relief.moved));
     lines << tr("The cover moves by %1 (rms).").arg(lengthText(relief.shape));
+    const std::vector<SolveReport::ScanFit>& before = m_found->list.scans;
+    for (std::size_t k = 0; k < std::min(before.size(), relief.scans.size()); ++k)
+        lines << tr("From %1 (rms): %2, then %3")
+                     .arg(isolated(QString::fromStdString(before[k].name)), lengthText(before[k].figures.rms, 2),
+                          lengthText(relief.scans[k].figures.rms, 2));
     QFrame* card = addCard(m_found->pictures[place], translated(relief.text), lines.join('\n'));
     auto* show = new QPushButton(tr("Show where"), card);
     show->setAutoDefault(false);

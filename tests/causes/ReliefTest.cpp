@@ -1,6 +1,8 @@
 // Changes that relieve strained cloth: what is proposed, and whether it holds.
 #include "DesignCheck.h"
 #include "DesignFile.h"
+#include "ElementEdits.h"
+#include "PointCloud.h"
 #include "RankCorrelation.h"
 #include "ReliefCandidates.h"
 #include "RestingSolve.h"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace bolster::test {
 namespace {
@@ -86,6 +89,32 @@ TEST(Reliefs, TheBestOnesGainWhatIsPredicted)
     EXPECT_GT(first.solved->energy, 0.02);
     const OverLimit after = overLimit(solvedStrains(input.design.with(first.edit), 1.0));
     EXPECT_NEAR(1 - after.energy / list.now.energy, first.solved->energy, 1e-9);
+}
+
+/// What relieves strain may lead away from the built piece.
+TEST(Reliefs, SayHowFarTheCoverWouldLieFromAScan)
+{
+    SolveInput input = boxInput(25);
+    const SolveResult now = solveResting(input, {});
+    ASSERT_TRUE(now.surface);
+    Scan scan;
+    scan.name = "Built";
+    scan.file = "built.ply";
+    scan.enabled = false;
+    const Edit added = edits::addElement(input.design, makeElement(scan));
+    input.design = input.design.with(added);
+    auto cloud = std::make_shared<PointCloud>();
+    cloud->points = now.surface->positions;
+    input.files.clouds[added.changes.front().id] = cloud;
+    const ReliefList list = proposeReliefs(input, {.limit = 1.0, .solved = 1});
+    ASSERT_TRUE(list.problem.empty()) << list.problem.english();
+    ASSERT_EQ(list.scans.size(), 1U);
+    EXPECT_EQ(list.scans[0].name, "Built");
+    EXPECT_LT(list.scans[0].figures.rms, 0.01);
+    ASSERT_FALSE(list.reliefs.empty());
+    ASSERT_EQ(list.reliefs[0].scans.size(), 1U);
+    EXPECT_GT(list.reliefs[0].scans[0].figures.rms, 0.05 * list.reliefs[0].shape);
+    EXPECT_LT(list.reliefs[0].scans[0].figures.rms, 1.5 * list.reliefs[0].shape);
 }
 
 TEST(Reliefs, WhatWasTakenInIsLetOut)

@@ -79,6 +79,16 @@ std::string areaText(const OverLimit& now, const ReliefGain& gain)
     return percentText((1 - gain.area) * now.area) + " of the cover is over the limit then";
 }
 
+/// ", 5.5 mm from Scan (6.1 mm now)" for each scan of the design.
+std::string scansText(const ReliefList& list, const Relief& relief)
+{
+    std::string text;
+    for (std::size_t k = 0; k < std::min(relief.scans.size(), list.scans.size()); ++k)
+        text += ", " + numberText(relief.scans[k].figures.rms, 3) + " mm from \"" + relief.scans[k].name +
+                "\" (now " + numberText(list.scans[k].figures.rms, 3) + ")";
+    return text;
+}
+
 void printReliefs(const ReliefList& list)
 {
     printResult(
@@ -96,12 +106,20 @@ void printReliefs(const ReliefList& list)
                     gainText(relief.solved->energy) + " excess (" + gainText(relief.predicted) + " predicted), " +
                     areaText(list.now, *relief.solved) + "; sewn " + numberText(relief.sewn, 3) + " mm, outlines " +
                     numberText(relief.moved, 3) + " mm, the cover moves by " + numberText(relief.shape, 2) +
-                    " mm (rms)");
+                    " mm (rms)" + scansText(list, relief));
     }
     if (missed)
         printError(
             "warning: solved covers are not as predicted (longer edges are less sure): better changes may be "
             "missing");
+}
+
+Json scansJson(const std::vector<SolveReport::ScanFit>& scans)
+{
+    Json all = Json::array();
+    for (const SolveReport::ScanFit& scan : scans)
+        all.push_back({{"name", scan.name}, {"element", number(scan.scan)}, {"rms_mm", scan.figures.rms}});
+    return all;
 }
 
 Json reliefReport(const ReliefList& list)
@@ -117,9 +135,11 @@ Json reliefReport(const ReliefList& list)
         one["sewn_mm"] = relief.sewn;
         one["moved_mm"] = relief.moved;
         one["shape_mm"] = relief.solved ? Json(relief.shape) : Json();
+        one["scans"] = scansJson(relief.scans);
         reliefs.push_back(std::move(one));
     }
     return {{"over_limit", {{"energy", list.now.energy}, {"area", list.now.area}}},
+            {"scans", scansJson(list.scans)},
             {"reliefs", std::move(reliefs)}};
 }
 

@@ -212,6 +212,7 @@ void solveRelief(const SolveInput& input, const std::optional<double>& limit, co
     if (result.status != SolveResult::Status::Solved || !(now.energy > 0))
         return;
     relief.cover = result.surface;
+    relief.scans = result.report.scans;
     const OverLimit with = overLimitOf(*result.surface, design, limit);
     relief.solved = {1 - with.energy / now.energy, 1 - with.area / now.area};
 }
@@ -227,6 +228,7 @@ ReliefList proposeReliefs(const SolveInput& input, const ReliefOrder& order, con
         return result;
     }
     result.cover = now.surface;
+    result.scans = now.report.scans;
     result.now = overLimitOf(*now.surface, input.design, order.limit);
     {
         const auto predicting = [&](double share) {

@@ -3,6 +3,7 @@
 
 #include "CoverStrains.h"
 #include "SolveInput.h"
+#include "SolveReport.h"
 #include "SurfaceMesh.h"
 
 #include <functional>
@@ -37,13 +38,15 @@ struct Relief {
     double moved = 0;          ///< mm: how far outlines change at most
     double shape = 0;          ///< mm, rms over the vertices: how far the cover of a solved one moves
     SurfaceMeshPtr cover = {}; ///< of a solved one; null when it does not come to rest
+    std::vector<SolveReport::ScanFit> scans = {}; ///< how far that one lies from each scan of the design
 };
 
 struct ReliefList {
-    Message problem;             ///< why there is no cover; empty when there is one
-    OverLimit now;               ///< on the design's triangles
-    SurfaceMeshPtr cover;        ///< as it is now
-    std::vector<Relief> reliefs; ///< the solved ones first, then by what is predicted
+    Message problem;                         ///< why there is no cover; empty when there is one
+    OverLimit now;                           ///< on the design's triangles
+    SurfaceMeshPtr cover;                    ///< as it is now
+    std::vector<SolveReport::ScanFit> scans; ///< how far it lies from each scan of the design
+    std::vector<Relief> reliefs;             ///< the solved ones first, then by what is predicted
 };
 
 /// "ease", "let-out", "move-seam", "corner", "dart", "continuity"
