@@ -203,10 +203,12 @@ private:
     {
         const MapFigures linear = figuresOf(m_maps.linear), found = figuresOf(m_maps.solved),
                          corrected = figuresOf(m_maps.corrected);
-        Json report{{"linear", {{"samples", m_count}, {"p95", asJson(linear)}}}};
-        printResult("what 95 % of the samples do not exceed, place by place, as if covers were linear: " +
-                    numberText(linear.rms, 3) + " mm (rms over the cover), " + numberText(linear.most, 3) +
-                    " mm where it is most");
+        const bool knowsLinear = m_sweep.unknown().size() < m_spec.tolerances.all.size();
+        Json report{{"linear", {{"samples", m_count}, {"p95", knowsLinear ? asJson(linear) : Json()}}}};
+        if (knowsLinear)
+            printResult("what 95 % of the samples do not exceed, place by place, as if covers were linear: " +
+                        numberText(linear.rms, 3) + " mm (rms over the cover), " + numberText(linear.most, 3) +
+                        " mm where it is most");
         Json unknown = Json::array();
         for (const std::size_t k : m_sweep.unknown())
             unknown.push_back(m_spec.tolerances.all[k].name);
@@ -237,7 +239,7 @@ private:
             if (!resting.empty())
                 printSolved(resting.size(), out, found, corrected);
         }
-        report["influence"] = influence();
+        report["influence"] = knowsLinear ? influence() : Json::array();
         return report;
     }
 
