@@ -6041,6 +6041,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>Quer zum Fadenlauf breiter als der Stoff, von dem %1 mm nutzbar sind: %2. Teilen Sie sie oder drehen Sie ihren Fadenlauf</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 endet in einem Teil, bei %2: Dort wird wie bei einem Abnäher eingeschnitten. Eine andere Linie oder einen Rand gibt es nicht; führen Sie sie herum bis zu ihrem Anfang, um das Teil zu trennen</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8435,6 +8439,13 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>Was die wahrscheinlichste Ursache übrig lässt, ist mehr als Rauschen: Vielleicht stimmt noch etwas anderes nicht, und ihr Maß kann weiter daneben liegen als angegeben.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>%n weitere Ursache erklärt etwas davon, weniger wahrscheinlich als diese.</numerusform>
+            <numerusform>%n weitere Ursachen erklären etwas davon, weniger wahrscheinlich als diese.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9746,6 +9757,33 @@
             <numerusform>(%n Kurven, die sie halten, halten dann nichts mehr)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Ihr Bezug wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Ihr Bezug kommt nicht zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Ihr Bezug in Ruhe ist nicht stärker gedehnt, als der Stoff es sein darf.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>Ihr Bezug in Ruhe: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(und %n weitere)</numerusform>
+            <numerusform>(und %n weitere)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Mit kürzeren Netzkanten werden auch kleinere Teile geteilt.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10661,10 +10699,6 @@
         <translation>Änderungen &amp;suchen</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>Keine Änderung macht es besser.</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Der Bezug wandert um %1 (quadratisches Mittel).</translation>
     </message>
@@ -10822,6 +10856,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>Das ist der gewünschten Fläche kaum näher: Lassen Sie etwas anderes oder mehr davon sich ändern.</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>Ändert den Schnitt, bis der Bezug ist, wie er sein soll: Wählen Sie ein Ziel oder mehrere und was sich ändern darf.</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 der gemalten Fläche liegen über der Grenze (vorher: %2), zuerst auf wenigen Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>%1 der gemalten Fläche liegen über der Grenze (vorher: %2)</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>Keine Änderung macht es auf allen Dreiecken besser: Lassen Sie etwas anderes sich ändern oder Punkte weiter wandern.</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>Mehr vom Stoff ist über seine Grenzen gedehnt: Machen Sie diese auch zum Ziel oder lassen Sie Punkte weniger wandern.</translation>
     </message>
 </context>
 <context>

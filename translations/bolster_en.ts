@@ -57,6 +57,13 @@
             <numerusform>and %n others</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>%n more cause explains some of it, less likely than these.</numerusform>
+            <numerusform>%n more causes explain some of it, less likely than these.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ExportPatternDialog</name>
@@ -199,6 +206,13 @@
         <translation>
             <numerusform>(%n curve that holds them will hold nothing)</numerusform>
             <numerusform>(%n curves that hold them will hold nothing)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(and %n more)</numerusform>
+            <numerusform>(and %n more)</numerusform>
         </translation>
     </message>
 </context>

@@ -6041,6 +6041,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>Más anchas a contrahilo que la tela, de la que se pueden usar %1 mm: %2. Divídalas o gire su sentido del hilo</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 termina dentro de una pieza, en %2: allí se corta como una pinza. No hay otra línea ni borde; llévela alrededor hasta su principio para dividir la pieza</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8435,6 +8439,13 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>Lo que deja la causa más probable es más que ruido: puede haber algo más que esté mal, y su medida puede fallar más de lo indicado.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>%n causa más explica algo, menos probable que estas.</numerusform>
+            <numerusform>%n causas más explican algo, menos probables que estas.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9746,6 +9757,33 @@
             <numerusform>(%n curvas que las sujetan no sujetarán nada)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Se calcula su funda …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Su funda no llega al reposo.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Su funda en reposo no está más estirada de lo que permite la tela.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>Su funda en reposo: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(y %n más)</numerusform>
+            <numerusform>(y %n más)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Con aristas de malla más cortas también se dividen piezas más pequeñas.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10661,10 +10699,6 @@
         <translation>&amp;Buscar cambios</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>Ningún cambio lo mejora.</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La funda se mueve %1 (RMS).</translation>
     </message>
@@ -10822,6 +10856,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>Apenas se acerca a la superficie deseada: deje cambiar otra cosa, o más.</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>Cambia el patrón hasta que la funda sea como se desea: marque uno o varios objetivos y lo que puede cambiar.</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>El %1 del área pintada supera el límite (antes: %2), primero con pocos triángulos</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>El %1 del área pintada supera el límite (antes: %2)</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>Ningún cambio lo mejora con todos los triángulos: deje cambiar otra cosa o que los puntos se muevan más.</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>Hay más tela estirada por encima de sus límites: haga de ellos también un objetivo, o deje que los puntos se muevan menos.</translation>
     </message>
 </context>
 <context>

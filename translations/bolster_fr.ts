@@ -6041,6 +6041,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>Plus larges en travers du droit-fil que le tissu, dont %1&#x202f;mm sont utilisables&#x202f;: %2. Divisez-les ou tournez leur droit-fil</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 finit dans un morceau, en %2&#x202f;: il y est entaillé comme par une pince. Il n’y a pas d’autre ligne ni de bordure&#x202f;; faites-en le tour jusqu’à son début pour diviser le morceau</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8435,6 +8439,13 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>Ce que laisse la cause la plus probable est plus que du bruit&#x202f;: autre chose ne va peut-être pas non plus, et sa valeur peut être plus fausse qu’indiqué.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>%n autre cause en explique un peu, moins probable que celles-ci.</numerusform>
+            <numerusform>%n autres causes en expliquent un peu, moins probables que celles-ci.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9746,6 +9757,33 @@
             <numerusform>(%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Sa housse est calculée …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Sa housse ne trouve pas le repos.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Sa housse au repos n’est pas plus étirée que le tissu ne peut l’être.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>Sa housse au repos&#x202f;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(et %n autre)</numerusform>
+            <numerusform>(et %n autres)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Avec des arêtes de maillage plus courtes, des pièces plus petites sont divisées aussi.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10661,10 +10699,6 @@
         <translation>C&amp;hercher des modifications</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>Aucune modification n’améliore le résultat.</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>La housse bouge de %1 (RMS).</translation>
     </message>
@@ -10822,6 +10856,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>Ce n’est guère plus près de la surface voulue&#x202f;: laissez autre chose changer, ou davantage.</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>Change le patron jusqu’à ce que la housse soit comme voulue&#x202f;: cochez un ou plusieurs buts, et ce qui peut changer.</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 de la surface peinte dépasse la limite (avant&#x202f;: %2), d’abord sur peu de triangles</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>%1 de la surface peinte dépasse la limite (avant&#x202f;: %2)</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>Aucune modification n’améliore le résultat sur tous les triangles&#x202f;: laissez autre chose changer, ou les points aller plus loin.</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>Davantage de tissu est étiré au-delà de ses limites&#x202f;: faites-en aussi un but, ou laissez les points bouger moins.</translation>
     </message>
 </context>
 <context>

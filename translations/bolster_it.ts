@@ -6041,6 +6041,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>Più larghi attraverso il drittofilo del tessuto, di cui sono utilizzabili %1 mm: %2. Li divida o giri il loro drittofilo</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 finisce dentro un pezzo, in %2: lì si incide come per una pince. Non c’è altra linea né bordo; portarla intorno fino al suo inizio per dividere il pezzo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8435,6 +8439,13 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>Quel che la causa più probabile lascia è più che rumore: forse c’è anche altro che non va, e la sua misura può sbagliare più di quanto indicato.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>%n altra causa ne spiega una parte, meno probabile di queste.</numerusform>
+            <numerusform>%n altre cause ne spiegano una parte, meno probabili di queste.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9746,6 +9757,33 @@
             <numerusform>(%n curve che li tengono non terranno più niente)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Il suo rivestimento viene calcolato …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Il suo rivestimento non trova riposo.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Il suo rivestimento a riposo non è più teso di quanto il tessuto consenta.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>Il suo rivestimento a riposo: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(e %n altro)</numerusform>
+            <numerusform>(e %n altri)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Con spigoli della mesh più corti si dividono anche pezzi più piccoli.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10661,10 +10699,6 @@
         <translation>&amp;Trova modifiche</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>Nessuna modifica lo migliora.</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Il rivestimento si sposta di %1 (rms).</translation>
     </message>
@@ -10822,6 +10856,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>È appena più vicino all’area voluta: lasci cambiare altro, o di più.</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>Cambia il cartamodello finché il rivestimento è come lo si desidera: spuntare uno o più obiettivi e ciò che può cambiare.</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 dell’area dipinta è oltre il limite (prima: %2), dapprima su pochi triangoli</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>%1 dell’area dipinta è oltre il limite (prima: %2)</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>Nessuna modifica lo migliora su tutti i triangoli: lasci cambiare altro, o che i punti vadano più lontano.</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>Più tessuto è teso oltre i suoi limiti: ne faccia anche un obiettivo, o lasci muovere meno i punti.</translation>
     </message>
 </context>
 <context>

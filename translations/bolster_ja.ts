@@ -6037,6 +6037,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>地の目に直交する幅が生地の使用可能幅 %1 mm を超えています: %2。分割するか、地の目を回してください</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 がパーツの内側の %2 で終わっています。そこはダーツのように切り込みます。ほかの線や境界はありません。パーツを分けるには始点まで一周させてください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8429,6 +8433,12 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>最も可能性の高い原因で説明できずに残る分はノイズより大きく、ほかにも何かがおかしいかもしれず、その量は表示より大きく外れているかもしれません。</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>ほかに %n 個の原因も一部を説明しますが、可能性はこれらより低いです。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9722,6 +9732,32 @@
             <numerusform>（それらを留めている曲線 %n 本は何も留めなくなります）</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>カバーを計算しています …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>カバーが静止しません。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>静止したカバーのひずみは生地の許容範囲内です。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>静止したカバー: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>（ほか %n 件）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>メッシュの辺を短くすると、より小さなパーツも分割されます。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10628,10 +10664,6 @@
         <translation>変更を探す(&amp;F)</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>改善する変更はありません。</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>カバーの移動量は %1 (RMS) です。</translation>
     </message>
@@ -10788,6 +10820,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>希望の面積にほとんど近づいていません。ほかのものを変えるか、もっと大きく変えてください。</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>カバーが望みどおりになるまで型紙を変えます。目標を 1 つ以上と、変えてよいものにチェックを入れてください。</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>塗った領域の %1 が限界を超えています（変更前: %2）、まず少ない三角形で</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>塗った領域の %1 が限界を超えています（変更前: %2）</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>すべての三角形では改善する変更がありません。ほかのものを変えるか、点をもっと遠くまで動かせるようにしてください。</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>限界を超えてひずむ生地が増えています。限界も目標にするか、点の移動を小さくしてください。</translation>
     </message>
 </context>
 <context>

@@ -6045,6 +6045,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>W poprzek nitki prostej szersze niż tkanina, z której można użyć %1 mm: %2. Podziel je albo obróć ich nitkę prostą</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 kończy się wewnątrz kawałka, w %2: nacięto tam jak zaszewkę. Nie ma innej linii ani brzegu; poprowadź ją dookoła aż do jej początku, aby podzielić kawałek</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8441,6 +8445,14 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>To, co pozostawia najbardziej prawdopodobna przyczyna, to więcej niż szum: być może coś jeszcze jest nie tak, a jej wartość może być mniej dokładna, niż podano.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>%n dalsza przyczyna wyjaśnia coś z tego, mniej prawdopodobna niż te.</numerusform>
+            <numerusform>%n dalsze przyczyny wyjaśniają coś z tego, mniej prawdopodobne niż te.</numerusform>
+            <numerusform>%n dalszych przyczyn wyjaśnia coś z tego, mniej prawdopodobnych niż te.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9770,6 +9782,34 @@
             <numerusform>(%n krzywych, które je trzymają, nie będzie trzymać niczego)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Obliczany jest jego pokrowiec …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Jego pokrowiec nie dochodzi do spoczynku.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Jego pokrowiec w spoczynku nie jest bardziej rozciągnięty, niż pozwala tkanina.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>Jego pokrowiec w spoczynku: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(i %n więcej)</numerusform>
+            <numerusform>(i %n więcej)</numerusform>
+            <numerusform>(i %n więcej)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Przy krótszych krawędziach siatki dzielone są też mniejsze elementy.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10694,10 +10734,6 @@
         <translation>Z&amp;najdź zmiany</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>Żadna zmiana tego nie poprawi.</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>Pokrowiec przesuwa się o %1 (RMS).</translation>
     </message>
@@ -10856,6 +10892,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>To prawie nie jest bliżej żądanego pola: pozwól zmienić się czemuś innemu albo bardziej.</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>Zmienia szablon, aż pokrowiec będzie taki, jak trzeba: zaznacz jeden lub kilka celów i to, co może się zmienić.</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>%1 zamalowanego obszaru powyżej granicy (przedtem: %2), najpierw na niewielu trójkątach</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>%1 zamalowanego obszaru powyżej granicy (przedtem: %2)</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>Żadna zmiana nie poprawia tego na wszystkich trójkątach: pozwól zmienić się czemuś innemu albo punktom przesunąć się dalej.</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>Więcej tkaniny jest rozciągnięte ponad jej granice: uczyń je także celem albo pozwól punktom przesuwać się mniej.</translation>
     </message>
 </context>
 <context>

@@ -6037,6 +6037,10 @@
         <source>Wider across the grain than the fabric, of which %1 mm can be used: %2. Divide them, or turn their grain</source>
         <translation>垂直于布纹的宽度超过面料可用宽度 %1 mm：%2。请分割它们，或旋转其布纹</translation>
     </message>
+    <message>
+        <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
+        <translation>%1 在样片内的 %2 处结束：该处像省道一样切开。没有其他线或边界；绕一圈回到起点可将样片分开</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -8429,6 +8433,12 @@
         <source>What the likeliest cause leaves is more than noise: something else may be wrong, too, and its amount may be off by more than is said.</source>
         <translation>最可能的原因未能解释的部分大于噪声：可能还有别的问题，其数值的偏差可能比所示的更大。</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more causes explain some of it, less likely than these.</source>
+        <translation>
+            <numerusform>另有 %n 个原因也能解释其中一部分，但可能性低于以上各项。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ColourwayWindow</name>
@@ -9722,6 +9732,32 @@
             <numerusform>（固定它们的 %n 条曲线将不再固定任何东西）</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>正在求解其面套 …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>其面套无法静止。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>其静止面套的应变未超过面料允许的范围。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest: %1</source>
+        <translation>其静止面套：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>（另有 %n 项）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>网格边更短时，更小的样片也会被分割。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>
@@ -10628,10 +10664,6 @@
         <translation>查找更改(&amp;F)</translation>
     </message>
     <message>
-        <source>No change makes it better.</source>
-        <translation>没有更改能使其更好。</translation>
-    </message>
-    <message>
         <source>The cover moves by %1 (rms).</source>
         <translation>面套移动 %1（均方根）。</translation>
     </message>
@@ -10788,6 +10820,26 @@
     <message>
         <source>That is hardly nearer to the area that is wanted: let something else change, or more of it.</source>
         <translation>几乎没有更接近所需面积：请让其他内容改变，或改变得更多。</translation>
+    </message>
+    <message>
+        <source>Changes the pattern until the cover is as it is wished: tick one goal or several, and what may change.</source>
+        <translation>更改样板，直到面套符合期望：勾选一个或多个目标，以及可以改变的内容。</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2), on few triangles at first</source>
+        <translation>涂抹区域的 %1 超过极限（之前：%2），先用较少的三角形</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area is over the limit (before: %2)</source>
+        <translation>涂抹区域的 %1 超过极限（之前：%2）</translation>
+    </message>
+    <message>
+        <source>No change makes it better on all triangles: let something else change, or points move farther.</source>
+        <translation>在全部三角形上没有更改能使其更好：请让其他内容改变，或让点移动得更远。</translation>
+    </message>
+    <message>
+        <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
+        <translation>更多面料的应变超过其极限：请将其也设为目标，或让点移动得更少。</translation>
     </message>
 </context>
 <context>

@@ -144,7 +144,6 @@ std::vector<std::size_t> rowsOf(const Explanations& explained)
                      second = std::round(100 * ranked[b].probability);
         return first != second ? first > second : ranked[a].share > ranked[b].share;
     });
-    rows.resize(std::min(rows.size(), shownCauses));
     return rows;
 }
 
@@ -190,6 +189,7 @@ void CauseWindow::build()
     m_said->setWordWrap(true);
     m_list = new HeadedList({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")}, 0, this);
     m_list->setAccessibleName(tr("Causes"));
+    m_list->setTextElideMode(Qt::ElideMiddle); // left or right stands at the end
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CauseWindow::rowChosen);
     m_alike = new QLabel(this);
     m_alike->setWordWrap(true);
@@ -206,8 +206,8 @@ void CauseWindow::build()
     layout->addWidget(m_alike);
     layout->addWidget(buttons);
     resize(780, 560);
-    if (const QWidget* window = parentWidget())
-        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+    if (const QWidget* window = parentWidget()) // over the pattern: the cover is what it is about
+        move(window->geometry().left() + 24, window->geometry().top() + 80);
 }
 
 CauseWindow::Found CauseWindow::explain(const Wanted& wanted, const std::function<void(double)>& progress,
@@ -311,12 +311,16 @@ void CauseWindow::say()
     if (!m_found->sound && all.mostlyUnexplained())
         lines << tr("Most of the deviation has no cause of these kinds, so the first need not be the right one: "
                     "give the scan of a sound piece, too.");
+    if (const std::size_t rows = rowsOf(all).size(); rows > shownCauses)
+        lines << tr("%n more causes explain some of it, less likely than these.", nullptr,
+                    static_cast<int>(rows - shownCauses));
     m_said->setText(lines.join('\n'));
 }
 
 void CauseWindow::fill()
 {
     m_rows = rowsOf(m_found->explained);
+    m_rows.resize(std::min(m_rows.size(), shownCauses));
     for (const std::size_t k : m_rows) {
         const Explanation& one = m_found->explained.ranked[k];
         const Cause& cause = m_found->causes[one.cause];

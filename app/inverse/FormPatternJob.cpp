@@ -2,6 +2,7 @@
 
 #include "FileGuess.h"
 #include "MeshImport.h"
+#include "RestingSolve.h"
 #include "SolveFailure.h"
 #include "ThinForm.h"
 
@@ -153,6 +154,25 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         made.problem = failureMessage(error);
     }
     return made;
+}
+
+FormCover coverOfForm(const FormCoverWanted& wanted, const std::stop_token& stop)
+{
+    FormCover cover{wanted.number, false, {}};
+    try {
+        const SolveResult solved = solveResting(wanted.input, {.lenient = true}, stop);
+        cover.atRest = solved.status == SolveResult::Status::Solved;
+        if (!cover.atRest || stop.stop_requested())
+            return cover;
+        FrameDistance frames;
+        for (CoverFinding& finding :
+             coverFindings(*solved.surface, wanted.input.design, wanted.input.files, frames))
+            if (finding.kind == CoverFinding::Kind::OverLimit || finding.kind == CoverFinding::Kind::Folds)
+                cover.findings.push_back(std::move(finding));
+    } catch (const std::exception&) { // such as of memory: then it has no rest that is known
+        cover.atRest = false;
+    }
+    return cover;
 }
 
 } // namespace bolster

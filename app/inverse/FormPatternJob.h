@@ -1,12 +1,14 @@
 // The pattern of a form, beside the window.
 #pragma once
 
+#include "CoverFindings.h"
 #include "Division.h"
 #include "FileGuess.h"
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "Frame.h"
 #include "FrameEdges.h"
+#include "SolveInput.h"
 
 #include <QDateTime>
 #include <QString>
@@ -86,5 +88,19 @@ private:
     Thinned m_thinned;
     std::shared_ptr<FormDraft> m_draft = newFormDraft();
 };
+
+/// The cover of a pattern that was made of a form.
+struct FormCoverWanted {
+    int number = 0;
+    SolveInput input;
+};
+
+struct FormCover {
+    int number = 0;
+    bool atRest = false;
+    std::vector<CoverFinding> findings; ///< cloth that is strained too much, or folds
+};
+
+FormCover coverOfForm(const FormCoverWanted& wanted, const std::stop_token& stop);
 
 } // namespace bolster

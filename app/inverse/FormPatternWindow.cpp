@@ -118,6 +118,13 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     , m_job([job = std::make_shared<FormPatternJob>()](
                 const FormWanted& wanted, const std::stop_token& stop) { return job->make(wanted, stop); },
             [this](FormMade made) { take(std::move(made)); })
+    , m_coverJob(coverOfForm, [this](FormCover cover) {
+        if (cover.number != m_asked || !made())
+            return;
+        m_solving = false;
+        m_cover = std::move(cover);
+        say();
+    })
 {
     setWindowTitle(tr("Pattern of a form"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -141,6 +148,7 @@ FormPatternWindow::~FormPatternWindow()
     *m_remembered = wishes();
     m_scene.setGuestLines({});
     m_job.cancel();
+    m_coverJob.cancel();
 }
 
 void FormPatternWindow::build()
@@ -526,6 +534,9 @@ void FormPatternWindow::ask(bool draft)
 {
     m_upToDate = false;
     m_drafted = draft;
+    m_coverJob.cancel();
+    m_cover.reset();
+    m_solving = false;
     m_make->setEnabled(false);
     if (draft && m_divide->isChecked()) { // that takes longer than a drag waits
         m_said->setText(tr("It is laid flat again when you let go."));
@@ -597,6 +608,8 @@ void FormPatternWindow::stop()
 void FormPatternWindow::clear()
 {
     m_made.reset();
+    m_replace->hide();
+    m_replaceNote->hide();
     m_view->show(nullptr, bearableStrain(fabric()));
     showOnForm();
 }
@@ -613,6 +626,7 @@ void FormPatternWindow::take(FormMade made)
     m_view->show(m_made->problem.empty() ? m_made : nullptr, bearableStrain(fabric()));
     showOnForm();
     offerToReplace();
+    solveCover();
     const auto leftOut = std::ranges::count(m_made->pattern.patches, noElement);
     const bool whole = leftOut == 0;
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
@@ -642,6 +656,41 @@ void FormPatternWindow::showOnForm()
     if (m_view->hovered() && *m_view->hovered() < count)
         add(*m_view->hovered(), colors.hover, 4);
     m_scene.setGuestLines(std::move(lines));
+}
+
+/// What its cover will be like: laid flat, nothing holds it where it is strained most.
+void FormPatternWindow::solveCover()
+{
+    const FormMade* now = made();
+    if (!now || !now->problem.empty() ||
+        vertexCount(patternArea(now->pattern.design), now->pattern.design.settings().edgeLength) >
+            FormPattern::manyVertices)
+        return;
+    FormCoverWanted wanted{m_asked, {now->pattern.design}};
+    const auto mesh = m_session.files().meshes.find(static_cast<ElementId>(m_form->currentData().toUInt()));
+    if (frame() && frame()->contact && mesh != m_session.files().meshes.end()) {
+        const Edit added = edits::addElement(wanted.input.design, frameElement());
+        wanted.input.design = wanted.input.design.with(added);
+        wanted.input.files.meshes[added.changes.front().id] = mesh->second;
+    }
+    m_solving = true;
+    m_coverJob.request(std::move(wanted), true);
+}
+
+void FormPatternWindow::sayCover(QStringList& lines) const
+{
+    if (m_solving)
+        lines << tr("Its cover is being solved \u2026");
+    if (!m_cover)
+        return;
+    if (!m_cover->atRest)
+        lines << tr("Its cover does not come to rest.");
+    else if (m_cover->findings.empty())
+        lines << tr("Its cover at rest is strained no more than the fabric may be.");
+    else
+        lines << tr("Its cover at rest: %1").arg(translated(m_cover->findings.front().text));
+    if (const int more = static_cast<int>(m_cover->findings.size()) - 1; more > 0)
+        lines.back() += ' ' + tr("(and %n more)", nullptr, more);
 }
 
 void FormPatternWindow::offerToReplace()
@@ -709,6 +758,7 @@ void FormPatternWindow::say()
     if (!where.empty())
         lines << tr("Most strained: %1, %2 (rms), %3 where it is most")
                      .arg(QString::fromStdString(where), percentText(most), percentText(mostAnywhere));
+    sayCover(lines);
     if (over > 0)
         lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
                     "(yellow): divide them, or cut them in there.",
@@ -723,6 +773,8 @@ void FormPatternWindow::say()
     if (frame() && whole > 0 && !frame()->contact)
         lines << tr(
             "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");
+    if (m_divide->isChecked() && !notes.empty())
+        lines << tr("With shorter mesh edges smaller pieces are divided, too.");
     if (!m_divide->isChecked() && (over > 0 || !notes.empty()))
         lines << tr("A mark at \"where it would not lie flat\" finds where to divide them.");
     for (const Message& note : m_made->form.notes)
@@ -813,7 +865,8 @@ void FormPatternWindow::documentChanged()
     if (!sameLines)
         fillLines();
     const bool moved = !m_document.gestureRunning() && takeMesh(); // else when the frame is let go
-    if (!sameLines || moved)
+    const bool sameEdges = m_drawn.settings().edgeLength == m_document.design().settings().edgeLength;
+    if (!sameLines || moved || !sameEdges)
         ask(m_document.gestureRunning());
     else if (made())
         say(); // of the frame, too

@@ -11,6 +11,7 @@
 #include <QVariant>
 
 #include <memory>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -80,6 +81,8 @@ private:
     void sayProblem();
     void showOnForm();
     void offerToReplace();
+    void solveCover();
+    void sayCover(QStringList& lines) const;
     void make();
     void documentChanged();
     std::vector<FormLine> chosenLines() const;
@@ -112,12 +115,15 @@ private:
     std::shared_ptr<const TriangleMesh> m_mesh;
     ElementPtr m_meshOf; ///< the frame that it is of; null: of no frame
     std::shared_ptr<const FormMade> m_made;
+    std::optional<FormCover> m_cover; ///< of what was made, when it is known
+    bool m_solving = false;           ///< it will be
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
     bool m_drafted = false;                ///< what was asked for last was a draft
     bool m_upToDate = false;
     bool m_ofFile = false;                 ///< the form; lines of the design are not ticked for it
-    LatestJob<FormWanted, FormMade> m_job; ///< last: it uses the others
+    LatestJob<FormWanted, FormMade> m_job; ///< last: they use the others
+    LatestJob<FormCoverWanted, FormCover> m_coverJob;
 };
 
 } // namespace bolster

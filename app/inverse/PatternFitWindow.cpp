@@ -109,7 +109,9 @@ void PatternFitWindow::build()
     m_run = new RunRow(tr("&Find changes"), tr("Fitting the pattern \u2026"), this);
     connect(m_run, &RunRow::started, this, &PatternFitWindow::find);
     connect(m_run, &RunRow::stopped, this, &PatternFitWindow::stop);
-    m_said = new QLabel(this);
+    m_said = new QLabel(tr("Changes the pattern until the cover is as it is wished: tick one goal or several, and "
+                           "what may change."),
+                        this);
     m_said->setWordWrap(true);
     m_said->setMinimumHeight(usualLines * m_said->fontMetrics().lineSpacing());
     m_said->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -232,14 +234,21 @@ void PatternFitWindow::showProgress(double share, const FitRound& round)
         m_said->setText(tr("%1 from %3 (rms; before: %2)")
                             .arg(lengthText(round.figures.distanceRms, 2), lengthText(round.before.distanceRms, 2),
                                  formName()));
-    else if (m_sought.strained && round.few)
-        m_said->setText(tr("%1 of the cover is over the limit (before: %2), on few triangles at first")
-                            .arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
     else if (m_sought.strained)
-        m_said->setText(tr("%1 of the cover is over the limit (before: %2)")
-                            .arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
+        m_said->setText(
+            overText(round.few).arg(percentText(round.figures.overLimit), percentText(round.before.overLimit)));
     else
         m_said->setText(tr("Changing the pattern \u2026"));
+}
+
+/// Of a strain that is over its limit: %1 now, %2 before.
+QString PatternFitWindow::overText(bool few) const
+{
+    if (!m_wanted.order.goals.area.isAll())
+        return few ? tr("%1 of the painted area is over the limit (before: %2), on few triangles at first")
+                   : tr("%1 of the painted area is over the limit (before: %2)");
+    return few ? tr("%1 of the cover is over the limit (before: %2), on few triangles at first")
+               : tr("%1 of the cover is over the limit (before: %2)");
 }
 
 void PatternFitWindow::take(FitFound found)
@@ -250,8 +259,10 @@ void PatternFitWindow::take(FitFound found)
     if (result.status == FitResult::Status::Failed || result.status == FitResult::Status::NothingToDo) {
         setRunning(false);
         m_said->setText(result.status == FitResult::Status::Failed ? translated(result.reason)
-                        : result.rounds.empty() ? tr("Nothing is over the limits: there is nothing to do.")
-                                                : tr("No change makes it better."));
+                        : result.rounds.empty()
+                            ? tr("Nothing is over the limits: there is nothing to do.")
+                            : tr("No change makes it better on all triangles: let something else change, or "
+                                 "points move farther."));
         return;
     }
     const FitFigures reached = result.after;
@@ -354,6 +365,10 @@ QStringList PatternFitWindow::notes(const FitFigures& now) const
     else
         for (const MissedGoal& miss : missedGoals(m_sought.strained, before, now))
             lines << missText(miss.kind);
+    constexpr double notablyMore = 0.01; // of the cover
+    if (now.overLimit > before.overLimit + notablyMore && !strainsForLittle(before, now))
+        lines << tr(
+            "More of the cloth is strained over its limits: make these a goal, too, or let points move less.");
     if (missesLengths(m_wanted.order.locks, before, now))
         lines
             << tr("Sides of seams differ by up to %1 more than is wanted: change their neighbours, too, or let the "

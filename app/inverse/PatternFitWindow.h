@@ -58,6 +58,7 @@ private:
     QStringList notes(const FitFigures& now) const;
     QString missText(MissedGoal::Kind kind) const;
     QString formName() const;
+    QString overText(bool few) const;
     Message verb() const;
     bool showsAll() const;
     QString lead() const;

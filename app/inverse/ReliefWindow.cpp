@@ -107,8 +107,8 @@ void ReliefWindow::build()
     const QRect screenArea = screen()->availableGeometry();
     constexpr int titleBar = 40; // pixels, at most
     resize(600, std::min(800, screenArea.height() - titleBar));
-    if (const QWidget* window = parentWidget()) // over the cover's margin, as the fit to a goal
-        move(window->geometry().right() - width() - 24,
+    if (const QWidget* window = parentWidget()) // over the pattern: the cover is what it is about
+        move(window->geometry().left() + 24,
              std::min(window->geometry().top() + 80, screenArea.bottom() - height() - titleBar));
 }
 
@@ -232,6 +232,7 @@ QFrame* ReliefWindow::addCard(const QImage& picture, const QString& title, const
     heading->setWordWrap(true);
     auto* text = new QLabel(more, card);
     text->setWordWrap(true);
+    text->setContentsMargins(0, 2, 0, 0); // for the dots of a capital letter
     auto* words = new QVBoxLayout;
     words->addWidget(heading);
     words->addWidget(text);

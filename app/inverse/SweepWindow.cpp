@@ -127,7 +127,7 @@ SweepWindow::SweepWindow(DesignSession& session, Selection& selection, MapLink& 
 
 SweepWindow::~SweepWindow()
 {
-    *m_remembered = {asked(), m_samples->value(), m_limit->value()};
+    *m_remembered = {asked(), m_samples->value(), m_limit->value(), std::move(m_pieces)};
     m_job.cancel();
     m_maps.disconnect(this);
     m_maps.setGuest(nullptr);
@@ -164,8 +164,8 @@ void SweepWindow::build()
     layout->addWidget(m_list, 1);
     layout->addWidget(buttons);
     resize(540, 700);
-    if (const QWidget* window = parentWidget())
-        move(window->geometry().right() - width() - 24, window->geometry().top() + 80);
+    if (const QWidget* window = parentWidget()) // over the pattern: the cover is what it is about
+        move(window->geometry().left() + 24, window->geometry().top() + 80);
 }
 
 QWidget* SweepWindow::buildTolerances()
@@ -226,6 +226,19 @@ void SweepWindow::fillIn(const SweepWishes& wishes)
         m_spreads[k]->display(wishes.asked[k + 1]);
     m_samples->display(wishes.samples);
     m_limit->display(wishes.limit);
+    if (wishes.drawn.found && hasSameCover(m_document.committed(), wishes.drawn.start))
+        showAgain(wishes.drawn);
+}
+
+/// What was being drawn when the window was closed has ended there.
+void SweepWindow::showAgain(const DrawnPieces& drawn)
+{
+    m_pieces = drawn;
+    m_pieces.found->whole = true;
+    fill();
+    say();
+    m_shown->setEnabled(true);
+    showMap();
 }
 
 /// What the tolerances follow from.
@@ -240,21 +253,21 @@ std::vector<double> SweepWindow::asked() const
 /// Figures of other wishes do not look as if they were of these.
 void SweepWindow::wishesChanged()
 {
-    if (m_found)
+    if (m_pieces.found)
         say();
 }
 
 void SweepWindow::addTolerances()
 {
-    m_tolerances = {};
-    m_tolerances.normal = m_drawn->currentIndex() == 1;
-    m_titles.clear();
+    m_pieces.tolerances = {};
+    m_pieces.tolerances.normal = m_drawn->currentIndex() == 1;
+    m_pieces.titles.clear();
     for (std::size_t k = 0; k < std::size(kinds); ++k) {
         if (!(m_spreads[k]->value() > 0))
             continue;
-        for (Tolerance& one : kinds[k].make(m_start, m_spreads[k]->value())) {
-            m_titles.push_back(tableWords(kinds[k].row).arg(namesOf(m_start, one)) + axisText(one));
-            m_tolerances.all.push_back(std::move(one));
+        for (Tolerance& one : kinds[k].make(m_pieces.start, m_spreads[k]->value())) {
+            m_pieces.titles.push_back(tableWords(kinds[k].row).arg(namesOf(m_pieces.start, one)) + axisText(one));
+            m_pieces.tolerances.all.push_back(std::move(one));
         }
     }
 }
@@ -266,25 +279,25 @@ void SweepWindow::find()
     m_document.cancelGesture();
     m_lead.clear();
     // What was found is of the design as it is: more pieces, or another limit, go on from there.
-    const bool more = m_found && asked() == m_asked;
+    const bool more = m_pieces.found && asked() == m_pieces.asked;
     if (!more) {
-        m_asked = asked();
-        m_start = m_document.committed();
+        m_pieces.asked = asked();
+        m_pieces.start = m_document.committed();
         addTolerances();
-        forget(m_tolerances.all.empty()
+        forget(m_pieces.tolerances.all.empty()
                    ? tr("Nothing varies: give a tolerance above 0 of something that the design has.")
                    : tr("Covers with each tolerance are solved \u2026"));
-        if (m_tolerances.all.empty())
+        if (m_pieces.tolerances.all.empty())
             return;
     }
-    m_limitAsked = m_limit->value();
+    m_pieces.limit = m_limit->value();
     m_run->setRunning(true);
     m_job.request({m_run->newRun(),
-                   {m_start, m_session.files()},
-                   m_tolerances,
+                   {m_pieces.start, m_session.files()},
+                   m_pieces.tolerances,
                    static_cast<int>(m_samples->value()),
-                   m_limitAsked,
-                   more ? m_found->known : SweepKnown{}},
+                   m_pieces.limit,
+                   more ? m_pieces.found->known : SweepKnown{}},
                   true);
 }
 
@@ -293,11 +306,11 @@ void SweepWindow::stop()
     m_run->newRun();
     m_job.cancel();
     m_run->setRunning(false);
-    if (!m_found) {
+    if (!m_pieces.found) {
         m_said->setText(tr("Stopped."));
         return;
     }
-    m_found->whole = true;
+    m_pieces.found->whole = true;
     m_lead = tr("Stopped.");
     say();
 }
@@ -311,11 +324,12 @@ void SweepWindow::take(SweepFound found)
         m_said->setText(translated(found.problem));
         return;
     }
-    const bool first = !m_found, asBefore = m_found && !found.whole && m_found->solved == found.solved;
-    m_found = std::move(found);
+    const bool first = !m_pieces.found,
+               asBefore = m_pieces.found && !found.whole && m_pieces.found->solved == found.solved;
+    m_pieces.found = std::move(found);
     if (asBefore)
         return; // its figures wait for more pieces
-    if (m_found->whole)
+    if (m_pieces.found->whole)
         m_run->setRunning(false);
     say();
     if (first)
@@ -327,38 +341,38 @@ void SweepWindow::take(SweepFound found)
 void SweepWindow::say()
 {
     QStringList lines(m_lead.isEmpty() ? 0 : 1, m_lead);
-    if (asked() != m_asked || m_limit->value() != m_limitAsked)
+    if (asked() != m_pieces.asked || m_limit->value() != m_pieces.limit)
         lines << tr("This is of what was set before: draw pieces for what is set now.");
     lines << figuresText() << outText();
-    if (m_found->resting == 0)
-        lines << (m_found->whole ? tr("That is as if covers were linear.")
-                                 : tr("That is as if covers were linear; pieces are being solved \u2026"));
-    else if (!m_found->whole)
-        lines << tr("By %n solved pieces so far; more are being solved \u2026", nullptr, m_found->resting);
+    if (m_pieces.found->resting == 0)
+        lines << (m_pieces.found->whole ? tr("That is as if covers were linear.")
+                                        : tr("That is as if covers were linear; pieces are being solved \u2026"));
+    else if (!m_pieces.found->whole)
+        lines << tr("By %n solved pieces so far; more are being solved \u2026", nullptr, m_pieces.found->resting);
     else
-        lines << tr("By %n solved pieces.", nullptr, m_found->resting);
-    if (m_found->resting > 0 && !m_found->error)
+        lines << tr("By %n solved pieces.", nullptr, m_pieces.found->resting);
+    if (m_pieces.found->resting > 0 && !m_pieces.found->error)
         lines.back() += " " + tr("These are too few to say how sure that is.");
-    if (m_found->error)
+    if (m_pieces.found->error)
         lines.back() += " " + tr("\u00b1 is what many more of them may change.");
-    const std::vector<std::size_t>& unknown = m_found->known.linear->unknown;
+    const std::vector<std::size_t>& unknown = m_pieces.found->known.linear->unknown;
     if (!unknown.empty())
         lines << tr("With %n tolerances no cover is found, as with: %1. They are left out of this: make them "
                     "smaller.",
                     nullptr, static_cast<int>(unknown.size()))
-                     .arg(m_titles[unknown.front()]);
-    if (m_found->resting < m_found->solved)
-        lines << tr("%n pieces have no cover at rest.", nullptr, m_found->solved - m_found->resting);
+                     .arg(m_pieces.titles[unknown.front()]);
+    if (m_pieces.found->resting < m_pieces.found->solved)
+        lines << tr("%n pieces have no cover at rest.", nullptr, m_pieces.found->solved - m_pieces.found->resting);
     m_said->setText(lines.join('\n'));
 }
 
 QString SweepWindow::figuresText() const
 {
-    const float most = *std::ranges::max_element(m_found->p95);
-    const double rms = rmsOf(m_found->p95);
+    const float most = *std::ranges::max_element(m_pieces.found->p95);
+    const double rms = rmsOf(m_pieces.found->p95);
     return tr("95 % of the pieces do not exceed, place by place, %1 (rms over the cover), %2 where it is most.")
-        .arg(m_found->error
-                 ? QStringLiteral("%1 \u00b1 %2").arg(lengthFigure(rms, 2), lengthText(*m_found->error, 2))
+        .arg(m_pieces.found->error
+                 ? QStringLiteral("%1 \u00b1 %2").arg(lengthFigure(rms, 2), lengthText(*m_pieces.found->error, 2))
                  : lengthText(rms, 2),
              lengthText(static_cast<double>(most), 2));
 }
@@ -366,29 +380,31 @@ QString SweepWindow::figuresText() const
 QString SweepWindow::outText() const
 {
     const auto whole = [](double share) { return percentText(std::round(100 * share) / 100); };
-    if (m_found->resting == 0)
+    if (m_pieces.found->resting == 0)
         return tr("Out of the limit: about %1 of the pieces.")
-            .arg(whole(static_cast<double>(m_found->out) / SweepFound::linearPieces));
-    const auto [least, most] = shareOfMany(m_found->out, m_found->resting);
+            .arg(whole(static_cast<double>(m_pieces.found->out) / SweepFound::linearPieces));
+    const auto [least, most] = shareOfMany(m_pieces.found->out, m_pieces.found->resting);
     return tr("Out of the limit: %1 of %2 pieces (of many: %3 to %4).")
-        .arg(QString::number(m_found->out), QString::number(m_found->resting), whole(least), whole(most));
+        .arg(QString::number(m_pieces.found->out), QString::number(m_pieces.found->resting), whole(least),
+             whole(most));
 }
 
 void SweepWindow::fill()
 {
     m_list->clear();
-    std::vector<std::size_t> order(m_found->influence.size());
+    std::vector<std::size_t> order(m_pieces.found->influence.size());
     std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t k) { return m_found->influence[k]; });
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](std::size_t k) { return m_pieces.found->influence[k]; });
     const QSignalBlocker quiet(m_list); // the first row is not yet chosen
     for (const std::size_t k : order) {
-        auto* row = new QTreeWidgetItem(m_list, {m_titles[k],
-                                                 tr("%1 %").arg(decimalText(100 * m_found->influence[k], 1, true)),
-                                                 steadyLengthText(m_found->mostMoved[k], 2)});
-        const Tolerance& tolerance = m_tolerances.all[k];
+        auto* row = new QTreeWidgetItem(
+            m_list, {m_pieces.titles[k], tr("%1 %").arg(decimalText(100 * m_pieces.found->influence[k], 1, true)),
+                     steadyLengthText(m_pieces.found->mostMoved[k], 2)});
+        const Tolerance& tolerance = m_pieces.tolerances.all[k];
         row->setData(0, Qt::UserRole,
                      number(tolerance.seam != noElement ? tolerance.seam : tolerance.freedoms.front().element));
-        row->setToolTip(0, m_titles[k]);
+        row->setToolTip(0, m_pieces.titles[k]);
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
     }
@@ -396,25 +412,25 @@ void SweepWindow::fill()
 
 void SweepWindow::showMap()
 {
-    if (!m_found || !m_shown->isChecked()) {
+    if (!m_pieces.found || !m_shown->isChecked()) {
         m_maps.setGuest(nullptr);
         return;
     }
     auto map = std::make_shared<ShownMap>();
-    map->topology = m_found->known.linear->nominal->topology;
-    map->values = m_found->p95;
+    map->topology = m_pieces.found->known.linear->nominal->topology;
+    map->values = m_pieces.found->p95;
     map->kind = MapScale::Kind::Sequential;
-    map->limit = ShownMap::usualLimit(static_cast<double>(*std::ranges::max_element(m_found->p95)));
+    map->limit = ShownMap::usualLimit(static_cast<double>(*std::ranges::max_element(m_pieces.found->p95)));
     map->title = tr("What 95 % of the pieces do not exceed");
     map->unit = millimetreSuffix;
-    map->mark = static_cast<float>(m_limitAsked);
+    map->mark = static_cast<float>(m_pieces.limit);
     m_maps.setGuest(std::move(map));
 }
 
 /// Who chooses another map does not see this one any more.
 void SweepWindow::mapsChanged()
 {
-    if (m_found && m_shown->isChecked() && !m_maps.hasGuest()) {
+    if (m_pieces.found && m_shown->isChecked() && !m_maps.hasGuest()) {
         const QSignalBlocker quiet(m_shown);
         m_shown->setChecked(false);
     }
@@ -431,7 +447,7 @@ void SweepWindow::rowChosen()
 /// What was found is no longer of use.
 void SweepWindow::forget(const QString& why)
 {
-    m_found.reset();
+    m_pieces.found.reset();
     m_list->clear();
     m_shown->setEnabled(false);
     m_maps.setGuest(nullptr);
@@ -440,7 +456,7 @@ void SweepWindow::forget(const QString& why)
 
 void SweepWindow::documentChanged()
 {
-    if ((!m_found && !m_run->running()) || hasSameCover(m_document.committed(), m_start))
+    if ((!m_pieces.found && !m_run->running()) || hasSameCover(m_document.committed(), m_pieces.start))
         return;
     if (m_run->running())
         stop();

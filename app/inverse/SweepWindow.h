@@ -24,10 +24,21 @@ class MapLink;
 class NumberBox;
 class RunRow;
 
-/// What the window was filled in with, to be filled in again.
+/// What was drawn, and of what.
+struct DrawnPieces {
+    Design start;
+    Tolerances tolerances;
+    std::vector<double> asked;   ///< the numbers that they follow from
+    double limit = 0;            ///< mm
+    std::vector<QString> titles; ///< of each of them
+    std::optional<SweepFound> found;
+};
+
+/// What the window was filled in with, to be filled in again, and what came of it.
 struct SweepWishes {
     std::vector<double> asked; ///< nothing is remembered when it is empty
     double samples = 0, limit = 0;
+    DrawnPieces drawn;
 };
 
 class SweepWindow : public QDialog {
@@ -40,13 +51,14 @@ public:
     ~SweepWindow() override;
 
     /// What is known of the design as it is.
-    const std::optional<SweepFound>& found() const { return m_found; }
+    const std::optional<SweepFound>& found() const { return m_pieces.found; }
 
 private:
     void build();
     QWidget* buildTolerances();
     QWidget* buildPieces();
     void fillIn(const SweepWishes& wishes);
+    void showAgain(const DrawnPieces& drawn);
     std::vector<double> asked() const;
     void wishesChanged();
     void addTolerances();
@@ -77,13 +89,8 @@ private:
     QCheckBox* m_shown = nullptr;
     QTreeWidget* m_list = nullptr;
 
-    Design m_start;                ///< of what is sought or was found
-    Tolerances m_tolerances;       ///< that were asked for
-    std::vector<double> m_asked;   ///< the numbers that they follow from
-    QString m_lead;                ///< a line that comes first
-    double m_limitAsked = 0;       ///< mm
-    std::vector<QString> m_titles; ///< of each of them
-    std::optional<SweepFound> m_found;
+    DrawnPieces m_pieces;                     ///< or what is being drawn
+    QString m_lead;                           ///< a line that comes first
     LatestJob<SweepWanted, SweepFound> m_job; ///< last: it uses the others
 };
 

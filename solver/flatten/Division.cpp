@@ -66,6 +66,12 @@ void append(TriangleMesh& mesh, const FormSheet& sheet, const std::string& part)
                                   first + static_cast<std::uint32_t>(c)});
 }
 
+/// Also where some of them are the problem.
+const std::vector<FormPiece>& piecesOf(const Form& form)
+{
+    return form.pieces.empty() ? form.undivided : form.pieces;
+}
+
 /// What is cut into pieces stays so; where rings were cut open another way may be shorter later.
 std::vector<std::vector<Vec3>> slitsOf(const Form& form)
 {
@@ -73,8 +79,9 @@ std::vector<std::vector<Vec3>> slitsOf(const Form& form)
     for (const auto& [a, b] : form.opened)
         opened.insert(std::minmax(a, b));
     std::vector<std::vector<Vec3>> rows;
-    for (std::size_t p = 0; p < form.pieces.size(); ++p) {
-        const FormPiece& piece = form.pieces[p];
+    const std::vector<FormPiece>& pieces = piecesOf(form);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const FormPiece& piece = pieces[p];
         for (std::size_t k = 0; k < piece.border.size(); ++k) {
             const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
             if (piece.mates[k].piece == static_cast<int>(p) && !opened.contains(std::minmax(a, b)))
@@ -123,7 +130,7 @@ public:
 
     Form divided(const Form& form)
     {
-        const std::vector<FormPiece>& pieces = form.pieces.empty() ? form.undivided : form.pieces;
+        const std::vector<FormPiece>& pieces = piecesOf(form);
         std::vector<bool> bad(pieces.size(), false);
         for (const std::size_t p : form.refused)
             bad[p] = true;
@@ -220,9 +227,8 @@ private:
         FormCuts cuts = m_cuts;
         cuts.angle = crease;
         const Form form = cutForm(mesh, cuts, m_stop);
-        const std::vector<FormPiece>& pieces = form.pieces.empty() ? form.undivided : form.pieces;
         std::vector<FormSheet> parts;
-        for (const FormPiece& piece : pieces)
+        for (const FormPiece& piece : piecesOf(form))
             parts.push_back(sheetOf(form.points, piece));
         joinCrumbs(parts);
         if (parts.size() < 2 || parts.size() > mostCreased)

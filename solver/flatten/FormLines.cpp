@@ -583,6 +583,11 @@ private:
             if (line.name != name)
                 for (const Vec3& place : evenly(line, spacing / 2))
                     border = std::min(border, (place - at).norm());
+        if (!std::isfinite(border))
+            return {QT_TRANSLATE_NOOP("Message",
+                                      "%1 ends inside a piece, at %2: it is cut in there like a dart. There is no "
+                                      "other line or border; lead it around to where it began to divide the piece"),
+                    {name, placeText(at)}};
         return {QT_TRANSLATE_NOOP("Message",
                                   "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
                                   "line or border is %3 mm away; draw it on to there to divide the piece"),

@@ -258,11 +258,16 @@ private:
 
     bool isCorner(std::size_t p, std::size_t k) const
     {
-        const std::size_t before = piece(p).before(k), after = piece(p).after(k);
         if (beginsRow(p, k) || flatTurn(p, k) > sharpTurn || standsAlone(p, k))
             return true;
-        return piece(p).mates[k].none() &&
-               turnAt(formPoint(p, before), formPoint(p, k), formPoint(p, after)) > sharpTurn;
+        return piece(p).mates[k].none() && turnsOnForm(p, k);
+    }
+
+    /// Where a border goes over a crease of the form; laid flat it may be straight there.
+    bool turnsOnForm(std::size_t p, std::size_t k) const
+    {
+        return turnAt(formPoint(p, piece(p).before(k)), formPoint(p, k), formPoint(p, piece(p).after(k))) >
+               sharpTurn;
     }
 
     /// None of a piece that is left out.
@@ -637,7 +642,7 @@ private:
             const std::size_t index = (row.first + k) % piece(p).border.size();
             smooth.push_back(formPoint(p, index));
             laid.push_back(flatPoint(p, index));
-            if (k < row.count && !isCorner(p, index))
+            if (k < row.count && !isCorner(p, index) && !turnsOnForm(p, index))
                 continue;
             const CurveSamples part = smoothSamples(smooth, lengthsAlong(laid));
             if (at > 0)

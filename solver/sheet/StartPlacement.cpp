@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -274,8 +275,8 @@ private:
     double m_freeX = 0;
 };
 
-/// The smaller in-plane stretch at a vertex, minus 1.
-double leastStrain(const SewnMesh& mesh, const SheetState& state, int v)
+/// The in-plane stretches at a vertex, minus 1, the smaller one first.
+std::array<double, 2> principalStrains(const SewnMesh& mesh, const SheetState& state, int v)
 {
     Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
     Eigen::Matrix2d rest = 1e-4 * mesh.area[v] * Eigen::Matrix2d::Identity();
@@ -290,7 +291,7 @@ double leastStrain(const SewnMesh& mesh, const SheetState& state, int v)
     const Eigen::Matrix2d square = gradient.transpose() * gradient;
     const double half = 0.5 * square.trace();
     const double root = std::sqrt(std::max(0.0, half * half - square.determinant()));
-    return std::sqrt(std::max(0.0, half - root)) - 1;
+    return {std::sqrt(std::max(0.0, half - root)) - 1, std::sqrt(half + root) - 1};
 }
 
 /// A smooth ripple within +-1: waves in directions and of lengths that have no common measure.
@@ -311,40 +312,65 @@ SheetState startPlacement(const SewnMesh& mesh)
 
 namespace {
 
-/// Of vertices inside a patch that move; else 0.
-double compressionAt(const SewnMesh& mesh, const SheetState& state, int v)
+constexpr double leastPressed = 0.002; // strain at which cloth counts as compressed
+
+/// Of vertices inside a patch that move; else none.
+std::array<double, 2> strainsAt(const SewnMesh& mesh, const SheetState& state, int v)
 {
-    return static_cast<int>(mesh.topology->unknown[v]) < mesh.freeCount ? -leastStrain(mesh, state, v) : 0;
+    return static_cast<int>(mesh.topology->unknown[v]) < mesh.freeCount ? principalStrains(mesh, state, v)
+                                                                        : std::array{0.0, 0.0};
 }
 
-/// Of each component, whether it lies in a plane and is a little too large for its room: symmetry would keep it
-/// there, pressed together, since the dome that it takes has no part in a ripple. Where there is much too much
-/// cloth it folds in many ways, which the ripple decides.
-std::vector<bool> slackInAPlane(const SewnMesh& mesh, const SheetState& state)
+/// How a component lies, and how it is pressed together.
+struct Flatness {
+    Vec3 sum = Vec3::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    double vertices = 0;
+    double most = 0;                ///< that cloth is pressed together inside, 1
+    double pressed = 0, larger = 0; ///< area of what is pressed together, and the larger strain there times it
+
+    /// Standard deviation across the plane that it lies in, mm.
+    double thickness() const
+    {
+        const Vec3 mean = sum / std::max(vertices, 1.0);
+        const Eigen::Matrix3d spread = squares / std::max(vertices, 1.0) - mean * mean.transpose();
+        return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0]));
+    }
+};
+
+/// Of each component, whether it lies nearly in a plane and is too large for its room: a little, when symmetry
+/// would keep it there, pressed together, since the dome that it takes has no part in a ripple; or in both
+/// directions, as the pattern of a dome is, which is to stand on its outside. What is much too wide in one
+/// direction folds in many ways, which the ripple decides.
+std::vector<bool> domes(const SewnMesh& mesh, const SheetState& state)
 {
-    constexpr double thinnest = 1e-4;  // of D
-    constexpr double mostSlack = 0.06; // strain
-    const std::size_t count = mesh.diameter.size();
-    std::vector<Vec3> sums(count, Vec3::Zero());
-    std::vector<Eigen::Matrix3d> squares(count, Eigen::Matrix3d::Zero());
-    std::vector<double> vertices(count, 0), most(count, 0);
-    for (const SewnMesh::Part& part : mesh.parts)
+    constexpr double thinnest = 0.02;    // of D
+    constexpr double mostSlack = 0.06;   // strain
+    constexpr double pressedBoth = 0.02; // strain: the larger one, on the average of what is pressed together
+    std::vector<Flatness> all(mesh.diameter.size());
+    for (const SewnMesh::Part& part : mesh.parts) {
+        Flatness& component = all[part.component];
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
             const Vec3 place = state.positions.col(mesh.topology->unknown[v]) - state.positions.col(0);
-            sums[part.component] += place;
-            squares[part.component] += place * place.transpose();
-            vertices[part.component] += 1;
-            if (v >= part.firstVertex + part.boundaryCount)
-                most[part.component] = std::max(most[part.component], compressionAt(mesh, state, v));
+            component.sum += place;
+            component.squares += place * place.transpose();
+            component.vertices += 1;
+            if (v < part.firstVertex + part.boundaryCount)
+                continue;
+            const auto [least, larger] = strainsAt(mesh, state, v);
+            component.most = std::max(component.most, -least);
+            if (-least > leastPressed) {
+                component.pressed += mesh.area[v];
+                component.larger += mesh.area[v] * larger;
+            }
         }
-    std::vector<bool> slack(count, false);
-    for (std::size_t c = 0; c < count; ++c) {
-        const Vec3 mean = sums[c] / std::max(vertices[c], 1.0);
-        const Eigen::Matrix3d spread = squares[c] / std::max(vertices[c], 1.0) - mean * mean.transpose();
-        const double thickness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0];
-        slack[c] = most[c] < mostSlack && thickness < std::pow(thinnest * mesh.diameter[c], 2);
     }
-    return slack;
+    std::vector<bool> result;
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        const bool isSlack = all[c].most < mostSlack || all[c].larger < -pressedBoth * all[c].pressed;
+        result.push_back(isSlack && all[c].thickness() < thinnest * mesh.diameter[c]);
+    }
+    return result;
 }
 
 } // namespace
@@ -354,20 +380,19 @@ void seedFolds(const SewnMesh& mesh, SheetState& state)
     constexpr double height = 0.002;   // of D
     constexpr double lift = 0.006;     // of D
     constexpr double wavelength = 0.2; // of D
-    constexpr double least = 0.002;    // strain at which cloth counts as compressed
     constexpr double full = 0.02;
-    const std::vector<bool> domes = slackInAPlane(mesh, state);
+    const std::vector<bool> isDome = domes(mesh, state);
     for (const SewnMesh::Part& part : mesh.parts) {
         const double d = mesh.diameter[part.component];
         for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
-            const double compression = compressionAt(mesh, state, v);
-            if (compression <= least)
+            const double compression = -strainsAt(mesh, state, v)[0];
+            if (compression <= leastPressed)
                 continue;
-            const double share = std::min(1.0, (compression - least) / (full - least));
+            const double share = std::min(1.0, (compression - leastPressed) / (full - leastPressed));
             const Eigen::Vector3d normal = rotationOf(state.frames.col(v)).col(2);
             auto place = state.positions.col(mesh.topology->unknown[v]);
             place += share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
-            if (domes[part.component])
+            if (isDome[part.component])
                 place += lift * d * normal; // all of it: near the least slack the dome grows slowly
         }
     }

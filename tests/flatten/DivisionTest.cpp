@@ -251,24 +251,28 @@ TEST(Division, WhatLiesFlatStaysAsItIs)
     EXPECT_EQ(form.notes, pipe.notes);
 }
 
+/// Also beside what is closed all around, which is a problem of its own.
 TEST(Division, PartsAndDartsStay)
 {
     const Vec3 from(0, -100, -5), to(0, -100, 70); // up the middle of the pipe
-    const TriangleMesh mesh = sideBySide(halfPipe(100, 200), sphere("Ball", 0.1, 0.9));
-    const Form form = divided(cutForm(mesh, {true, {}, {{"Dart", {from, to}}}}), {});
-    const auto isPipe = [](const FormPiece& piece) { return piece.part == "Sheet"; };
-    ASSERT_EQ(std::ranges::count_if(form.pieces, isPipe), 1);
-    EXPECT_GE(std::ranges::count_if(form.pieces, [](const FormPiece& piece) { return piece.part == "Ball"; }), 2);
-    const auto pipe = std::ranges::find_if(form.pieces, isPipe);
-    const auto own = static_cast<int>(pipe - form.pieces.begin());
-    double length = 0;
-    for (std::size_t k = 0; k < pipe->border.size(); ++k)
-        if (pipe->mates[k].piece == own)
-            length += (form.points[pipe->points[pipe->border[pipe->after(k)]]] -
-                       form.points[pipe->points[pipe->border[k]]])
-                          .norm() /
-                      2;
-    EXPECT_NEAR(length, 70, 5);
+    for (const TriangleMesh& ball : {sphere("Ball", 0.1, 0.9), sphere("Ball")}) {
+        const TriangleMesh mesh = sideBySide(halfPipe(100, 200), ball);
+        const Form form = divided(cutForm(mesh, {true, {}, {{"Dart", {from, to}}}}), {});
+        const auto isPipe = [](const FormPiece& piece) { return piece.part == "Sheet"; };
+        ASSERT_EQ(std::ranges::count_if(form.pieces, isPipe), 1);
+        EXPECT_GE(std::ranges::count_if(form.pieces, [](const FormPiece& piece) { return piece.part == "Ball"; }),
+                  2);
+        const auto pipe = std::ranges::find_if(form.pieces, isPipe);
+        const auto own = static_cast<int>(pipe - form.pieces.begin());
+        double length = 0;
+        for (std::size_t k = 0; k < pipe->border.size(); ++k)
+            if (pipe->mates[k].piece == own)
+                length += (form.points[pipe->points[pipe->border[pipe->after(k)]]] -
+                           form.points[pipe->points[pipe->border[k]]])
+                              .norm() /
+                          2;
+        EXPECT_NEAR(length, 70, 5);
+    }
 }
 
 TEST(Division, AnotherProblemStays)

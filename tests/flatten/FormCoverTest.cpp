@@ -93,29 +93,76 @@ Vec3 onForm(const Form& form, const FormPiece& piece, const FlatPiece& flat, con
     return found;
 }
 
-/// A crowned sheet is not strained evenly along its border when it lies flat: by lengths alone its cover was held
-/// beside where it lies, and sheared.
-TEST(FormCover, IsHeldWhereItLiesOnTheForm)
+/// Every vertex that is held is where the cloth lies on the form.
+void expectHeldOnForm(const TriangleMesh& mesh)
 {
-    const double pi = std::numbers::pi;
-    const Form form = cutForm(gridMesh(40, 30,
-                                       [&](double u, double v) {
-                                           const double high = std::sin(pi * u) * std::sin(pi * v);
-                                           return Vec3(400 * u, 300 * v, 120 * high);
-                                       }),
-                              {});
+    const Form form = cutForm(mesh, {});
     const std::vector<FlatPiece> flat = flatten(form, {});
     const FormPattern made = formPattern(form, flat, {});
     const SolveResult solved = solveResting(made.design, {});
     ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
     std::size_t held = 0;
-    for (const SurfaceTopology::Chain& chain : solved.surface->topology->fixations)
+    for (const SurfaceTopology::Chain& chain : solved.surface->topology->fixations) {
+        const ElementId patch = made.design.find<FixationSeam>(chain.seam)->stretch.patch;
+        const auto p = static_cast<std::size_t>(std::ranges::find(made.patches, patch) - made.patches.begin());
         for (const std::uint32_t v : chain.a) {
-            const Vec3 place = onForm(form, form.pieces[0], flat[0], solved.surface->topology->pattern[v]);
+            const Vec3 place = onForm(form, form.pieces[p], flat[p], solved.surface->topology->pattern[v]);
             EXPECT_LT((solved.surface->positions[v] - place).norm(), 0.5);
             ++held;
         }
-    EXPECT_GT(held, 100U);
+    }
+    EXPECT_GT(held, 80U);
+}
+
+/// A crowned sheet is not strained evenly along its border when it lies flat: by lengths alone its cover was held
+/// beside where it lies, and sheared.
+TEST(FormCover, IsHeldWhereItLiesOnTheForm)
+{
+    const double pi = std::numbers::pi;
+    expectHeldOnForm(gridMesh(40, 30, [&](double u, double v) {
+        return Vec3(400 * u, 300 * v, 120 * std::sin(pi * u) * std::sin(pi * v));
+    }));
+}
+
+/// Laid flat its border is straight where it goes over the ridge: a smooth curve cut that corner.
+TEST(FormCover, IsHeldAtCreasesThatLieFlat)
+{
+    const double pi = std::numbers::pi;
+    const auto roof = [&](double way) {
+        return gridMesh(
+            6, 10,
+            [&, way](double u, double v) {
+                const double across = way > 0 ? u : 1 - u;
+                return Vec3(300 * across, 250 * v,
+                            150 - 300 * std::abs(across - 0.5) +
+                                way * 10 * std::sin(pi * across) * std::sin(pi * v));
+            },
+            way > 0 ? "Above" : "Below");
+    };
+    expectHeldOnForm(sideBySide(roof(1), roof(-1)));
+}
+
+/// Its mirror image would be as much at rest.
+TEST(FormCover, OfADomeStandsOnItsOutside)
+{
+    const double pi = std::numbers::pi;
+    for (const double height : {40.0, 90.0, 160.0})
+        for (const double edge : {10.0, 14.0, 18.0}) {
+            const Form form = cutForm(gridMesh(24, 24,
+                                               [&](double u, double v) {
+                                                   const double high = std::sin(pi * u) * std::sin(pi * v);
+                                                   return Vec3(400 * u, 360 * v, height * high);
+                                               }),
+                                      {});
+            FormPatternOrder order;
+            order.edgeLength = edge;
+            const SolveResult solved = solveResting(formPattern(form, flatten(form, {}), order).design, {});
+            ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
+            const auto [lowest, highest] =
+                std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
+            EXPECT_GT(lowest.z(), -0.02 * height) << height << ", " << edge;
+            EXPECT_GT(highest.z(), 0.5 * height) << height << ", " << edge;
+        }
 }
 
 TEST(FormCover, OfTheCarSeatLiesOnIt)

@@ -12,6 +12,8 @@
 #include "SolverLink.h"
 #include "SweepWindow.h"
 
+#include <set>
+
 namespace bolster {
 
 namespace {
@@ -152,7 +154,12 @@ QDialog* InverseCommands::formWindow()
                                          &m_parts.window);
     connect(window, &FormPatternWindow::patternMade, this,
             [this](const std::vector<ElementId>& added, const Box3& where) {
-                m_parts.selection.set({added.begin(), added.end()});
+                const Design& design = m_parts.session.document().design();
+                std::set<ElementId> patches; // the points of all curves would hide the cover
+                for (const ElementId id : added)
+                    if (design.find<Patch>(id))
+                        patches.insert(id);
+                m_parts.selection.set(patches);
                 PatternNavigation& pattern = m_parts.pattern.navigation();
                 const PatternTransform before = pattern.transform();
                 pattern.fitAll();
