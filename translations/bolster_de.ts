@@ -6045,6 +6045,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 endet in einem Teil, bei %2: Dort wird wie bei einem Abnäher eingeschnitten. Eine andere Linie oder einen Rand gibt es nicht; führen Sie sie herum bis zu ihrem Anfang, um das Teil zu trennen</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>Eine Linie wird bei %1 nicht eingeschnitten: Die Seiten des Schnitts lägen flach übereinander. Zeichnen Sie sie anderswo oder weiter bis zu einem Rand</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6045,6 +6045,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 termina dentro de una pieza, en %2: allí se corta como una pinza. No hay otra línea ni borde; llévela alrededor hasta su principio para dividir la pieza</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>En %1 no se corta una línea: los lados del corte quedarían uno sobre otro en plano. Dibújela en otro sitio, o hasta un borde</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

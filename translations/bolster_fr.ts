@@ -6045,6 +6045,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 finit dans un morceau, en %2&#x202f;: il y est entaillé comme par une pince. Il n’y a pas d’autre ligne ni de bordure&#x202f;; faites-en le tour jusqu’à son début pour diviser le morceau</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>Une ligne n’est pas entaillée en %1&#x202f;: à plat, les côtés de l’entaille se recouvriraient. Tracez-la ailleurs, ou jusqu’à une bordure</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6045,6 +6045,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 finisce dentro un pezzo, in %2: lì si incide come per una pince. Non c’è altra linea né bordo; portarla intorno fino al suo inizio per dividere il pezzo</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>Una linea non viene incisa in %1: in piano i lati del taglio si sovrapporrebbero. La disegni altrove, o fino a un bordo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6041,6 +6041,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 がパーツの内側の %2 で終わっています。そこはダーツのように切り込みます。ほかの線や境界はありません。パーツを分けるには始点まで一周させてください</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>%1 では線を切り込みません。平らにすると切り込みの両側が重なります。別の場所に引くか、境界まで延ばしてください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

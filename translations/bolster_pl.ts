@@ -6049,6 +6049,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 kończy się wewnątrz kawałka, w %2: nacięto tam jak zaszewkę. Nie ma innej linii ani brzegu; poprowadź ją dookoła aż do jej początku, aby podzielić kawałek</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>W %1 linia nie jest nacięta: po rozłożeniu boki nacięcia zachodziłyby na siebie. Narysuj ją gdzie indziej albo aż do brzegu</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6041,6 +6041,10 @@
         <source>%1 ends inside a piece, at %2: it is cut in there like a dart. There is no other line or border; lead it around to where it began to divide the piece</source>
         <translation>%1 在样片内的 %2 处结束：该处像省道一样切开。没有其他线或边界；绕一圈回到起点可将样片分开</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
+        <translation>%1 处的线未切开：展平后切口两侧会相互重叠。请画在别处，或延长至边界</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

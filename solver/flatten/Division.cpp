@@ -1,6 +1,8 @@
 #include "Division.h"
 
 #include "Fiedler.h"
+#include "FormLines.h"
+#include "SegmentDistance.h"
 #include "SheetCut.h"
 
 #include <algorithm>
@@ -25,6 +27,8 @@ constexpr std::size_t manyTriangles = 4000, someTriangles = 1000; // of what is 
 constexpr double crease = 50;                                     // degrees
 constexpr std::size_t mostCreased = 40;                           // parts between creases
 constexpr std::size_t mostPieces = 100;                           // of what was one
+constexpr double exactly = 1e-6;                                  // mm
+constexpr double onEdge = 0.01;                                   // mm
 constexpr double asClose = 1e-4;                                  // of a number: roundoff apart
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
@@ -72,22 +76,28 @@ const std::vector<FormPiece>& piecesOf(const Form& form)
     return form.pieces.empty() ? form.undivided : form.pieces;
 }
 
-/// What is cut into pieces stays so; where rings were cut open another way may be shorter later.
-std::vector<std::vector<Vec3>> slitsOf(const Form& form)
+/// Where a piece is cut open, but for rings, for which another way may be shorter later.
+std::vector<std::vector<Vec3>> slitsOf(const Form& form, std::size_t p)
 {
     std::set<std::pair<int, int>> opened;
     for (const auto& [a, b] : form.opened)
         opened.insert(std::minmax(a, b));
     std::vector<std::vector<Vec3>> rows;
-    const std::vector<FormPiece>& pieces = piecesOf(form);
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const FormPiece& piece = pieces[p];
-        for (std::size_t k = 0; k < piece.border.size(); ++k) {
-            const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
-            if (piece.mates[k].piece == static_cast<int>(p) && !opened.contains(std::minmax(a, b)))
-                rows.push_back({form.points[a], form.points[b]});
-        }
+    const FormPiece& piece = piecesOf(form)[p];
+    for (std::size_t k = 0; k < piece.border.size(); ++k) {
+        const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
+        if (piece.mates[k].piece == static_cast<int>(p) && !opened.contains(std::minmax(a, b)))
+            rows.push_back({form.points[a], form.points[b]});
     }
+    return rows;
+}
+
+/// What is cut into pieces stays so.
+std::vector<std::vector<Vec3>> slitsOf(const Form& form)
+{
+    std::vector<std::vector<Vec3>> rows;
+    for (std::size_t p = 0; p < piecesOf(form).size(); ++p)
+        std::ranges::move(slitsOf(form, p), std::back_inserter(rows));
     return rows;
 }
 
@@ -125,6 +135,7 @@ public:
         , m_progress(progress)
         , m_stop(stop)
     {
+        m_cuts.onEdges = exactly; // what lies beside it is another edge
         m_order.twins = false;
     }
 
@@ -155,8 +166,10 @@ public:
         }
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
-            const std::vector<bool> still = badOnes(now, {}, m_limit);
+            std::vector<bool> still = badOnes(now, {}, m_limit);
             const int before = m_divisions;
+            if (closeSlits(now, still))
+                continue;
             if (std::ranges::count(still, true) > 0)
                 now = divided(now.points, now.pieces, still, [&](const FormSheet& sheet) { return parts(sheet); });
             if (m_divisions == before)
@@ -165,6 +178,7 @@ public:
         if (m_stop.stop_requested())
             return form;
         now.notes = form.notes;
+        std::ranges::copy(m_notes, std::back_inserter(now.notes));
         if (m_divisions > 0)
             now.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "What would not lie flat, or be strained by more than the "
@@ -190,11 +204,61 @@ private:
         return cutForm(mesh, m_cuts, m_stop);
     }
 
-    Form formOf(const FormSheet& sheet) const
+    Form formOf(const FormSheet& sheet) const { return formOf(sheet, m_cuts); }
+
+    Form formOf(const FormSheet& sheet, const FormCuts& cuts) const
     {
         TriangleMesh mesh;
         append(mesh, sheet, "");
-        return cutForm(mesh, m_cuts, m_stop);
+        return cutForm(mesh, cuts, m_stop);
+    }
+
+    FormCuts withoutSlits() const
+    {
+        FormCuts cuts = m_cuts;
+        cuts.edges.clear();
+        return cuts;
+    }
+
+    /// As it is, or with its slits sewn up: what is wrong with those is mended in the end.
+    bool liesFlat(const FormSheet& sheet, const Form& form) const
+    {
+        if (liesFlat(form))
+            return true;
+        const bool hasSlits = !m_cuts.edges.empty() && form.pieces.size() == 1 && !slitsOf(form, 0).empty();
+        return hasSlits && liesFlat(formOf(sheet, withoutSlits()));
+    }
+
+    /// A cut where a form is hollow as a saddle does not open: its sides lie over each other. Such cuts go, if
+    /// without them the piece lies flat. Whether some went, and the form is another one.
+    bool closeSlits(Form& form, const std::vector<bool>& bad)
+    {
+        bool closed = false;
+        for (std::size_t p = 0; p < bad.size() && !m_stop.stop_requested(); ++p) {
+            if (!bad[p] || m_cuts.edges.empty())
+                continue;
+            const std::vector<std::vector<Vec3>> own = slitsOf(form, p);
+            if (own.empty() || !liesFlat(formOf(sheetOf(form.points, form.pieces[p]), withoutSlits())))
+                continue;
+            const auto isOwn = [&](const std::vector<Vec3>& row) { // of which an edge may be a part by now
+                return std::ranges::any_of(own, [&](const std::vector<Vec3>& edge) {
+                    const Vec3 middle = (edge.front() + edge.back()) / 2;
+                    return segmentDistance<3>(middle, row.front(), row.back()) < onEdge;
+                });
+            };
+            std::erase_if(m_cuts.edges, isOwn);
+            const Vec3 at = own[own.size() / 2].front();
+            m_notes.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "A line is not cut in at %1: the sides of the cut would lie over each "
+                                   "other when it is laid flat. Draw it elsewhere, or on to a border"),
+                 {placeText(at)}});
+            closed = true;
+        }
+        if (closed)
+            form = divided(form.points, form.pieces, std::vector<bool>(form.pieces.size(), false),
+                           [](FormSheet sheet) { return std::vector{std::move(sheet)}; });
+        return closed;
     }
 
     /// Pieces that would lie over themselves or be strained by more than `limit`; none when stopped.
@@ -288,7 +352,7 @@ private:
             if (form.pieces.size() > 1) { // halves need not hang together
                 for (const FormPiece& piece : form.pieces)
                     waiting.push_back(sheetOf(form.points, piece));
-            } else if (areaOf(sheet) < m_least || liesFlat(form)) {
+            } else if (areaOf(sheet) < m_least || liesFlat(sheet, form)) {
                 addTo(done, std::move(sheet));
             } else if (auto [below, above] = halved(sheet); below.triangles.empty() || above.triangles.empty()) {
                 addTo(done, std::move(sheet));
@@ -347,7 +411,8 @@ private:
             common.erase(closest);
             FormSheet both = together(sheets[a], sheets[b]);
             const Form form = formOf(both);
-            if (form.pieces.size() != 1 || !form.opened.empty() || winding(form) > mostWinding || !liesFlat(form))
+            if (form.pieces.size() != 1 || !form.opened.empty() || winding(form) > mostWinding ||
+                !liesFlat(both, form))
                 continue;
             sheets[a] = std::move(both);
             sheets[b] = {};
@@ -393,6 +458,7 @@ private:
     double m_limit, m_least; // mm^2
     const DivisionProgress& m_progress;
     std::stop_token m_stop;
+    std::vector<Message> m_notes; // cuts that are not made
     int m_divisions = 0;
     bool m_isRough = false; // it would need more pieces than anybody sews
     int m_found = 0;        // pieces that lie flat

@@ -75,7 +75,7 @@ private:
         if (tidies)
             partSheets(m_welded, m_stop);
         if (!m_cuts.edges.empty())
-            m_cut = edgesAlong(m_welded, m_cuts.edges);
+            m_cut = edgesAlong(m_welded, m_cuts.edges, m_cuts.onEdges);
         if (!tidies || m_stop.stop_requested())
             return;
         LinedTriangles lined =

@@ -31,7 +31,8 @@ struct FormCuts {
     std::vector<FormLine> lines = {};
     /// And along edges of the mesh on these rows of points, mm: of CAD faces.
     std::vector<std::vector<Vec3>> edges = {};
-    bool divides = false; ///< it will be divided: splinters, which lean anywhere, are mended as beside lines
+    double onEdges = 0.05; ///< mm: how far from its row such an edge may lie; samples of CAD curves lie within 0.02
+    bool divides = false;  ///< it will be divided: splinters, which lean anywhere, are mended as beside lines
 };
 
 /// The other side of an edge that is cut; none at the form's border.

@@ -108,15 +108,6 @@ std::optional<Vec3> selfCrossing(const CgalMesh& mesh)
     return sum;
 }
 
-/// mm
-std::string placeText(const Vec3& at)
-{
-    const auto number = [](double value) { return numberText(std::round(100 * value) / 100, 4); };
-    std::string text("(");
-    text.append(number(at.x())).append(", ").append(number(at.y())).append(", ");
-    return text.append(number(at.z())).append(")");
-}
-
 /// About where a line lies.
 std::string middleOf(const FormLine& line)
 {
@@ -644,6 +635,14 @@ std::vector<FormLine> continued(LineCutter& cutter, FormDraft& draft, const std:
 }
 
 } // namespace
+
+std::string placeText(const Vec3& at)
+{
+    const auto number = [](double value) { return numberText(std::round(100 * value) / 100, 4); };
+    std::string text("(");
+    text.append(number(at.x())).append(", ").append(number(at.y())).append(", ");
+    return text.append(number(at.z())).append(")");
+}
 
 LinedTriangles cutAlong(const TriangleSoup& form, const FormCuts& cuts, const std::stop_token& stop,
                         FormDraft* draft)

@@ -37,4 +37,7 @@ struct FormDraft {
 LinedTriangles cutAlong(const TriangleSoup& form, const FormCuts& cuts, const std::stop_token& stop,
                         FormDraft* draft = nullptr);
 
+/// "(12.5, -40, 300)", of a place in mm.
+std::string placeText(const Vec3& at);
+
 } // namespace bolster

@@ -3,6 +3,7 @@
 #include "HalfEdges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -17,8 +18,8 @@ using Triangle = std::array<int, 3>;
 constexpr int mostRefinements = 6;
 constexpr std::size_t fewTriangles = 200; // lines follow the edges of so few
 constexpr double nearCorner = 0.15;       // of an edge: a line that crosses it nearer goes through the corner
-constexpr int roundsOfSmoothing = 30;
-constexpr double sharpBend = 15; // degrees
+constexpr std::array roundsOfSmoothing{30, 8, 0}; // as many as leave something of both halves
+constexpr double sharpBend = 15;                  // degrees
 
 /// Points between others, each once.
 class Between {
@@ -98,14 +99,14 @@ std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofT
 }
 
 /// A line with a little of each point's neighbours is not as jagged.
-std::vector<double> smoothed(const FormSheet& sheet, const Halves& halves)
+std::vector<double> smoothed(const FormSheet& sheet, const Halves& halves, int rounds)
 {
     std::vector<double> values = halves.ofPoints;
     const std::vector<bool> stays = onBends(sheet, halves.ofTriangles);
     for (std::size_t v = 0; v < values.size(); ++v)
         if (stays[v])
             values[v] = 0;
-    for (int round = 0; round < roundsOfSmoothing; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         std::vector<double> sums(values.size(), 0), counts(values.size(), 0);
         for (const Triangle& corners : sheet.triangles)
             for (const int a : corners)
@@ -146,9 +147,8 @@ TwoParts alongEdges(const FormSheet& sheet, const std::vector<double>& values)
 }
 
 /// New points are added to the sheet.
-TwoParts acrossTriangles(FormSheet& sheet, const Halves& halvesOfIt)
+TwoParts acrossTriangles(FormSheet& sheet, std::vector<double> values)
 {
-    std::vector<double> values = smoothed(sheet, halvesOfIt);
     goThroughCorners(sheet, values);
     TwoParts halves;
     Between between(sheet.points);
@@ -187,8 +187,14 @@ FormSheet fine(FormSheet sheet, std::size_t triangles)
 
 std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves)
 {
-    const auto [below, above] = sheet.triangles.size() < fewTriangles ? alongEdges(sheet, halves.ofTriangles)
-                                                                      : acrossTriangles(sheet, halves);
+    if (sheet.triangles.size() >= fewTriangles)
+        for (const int rounds : roundsOfSmoothing) {
+            FormSheet cut = sheet;
+            const auto [below, above] = acrossTriangles(cut, smoothed(sheet, halves, rounds));
+            if (!below.empty() && !above.empty())
+                return {FormSheet{cut.points, below}, FormSheet{cut.points, above}};
+        }
+    const auto [below, above] = alongEdges(sheet, halves.ofTriangles);
     return {FormSheet{sheet.points, below}, FormSheet{sheet.points, above}};
 }
 

@@ -199,7 +199,8 @@ static ThinnedForm thin(const TriangleMesh& mesh, const std::vector<std::vector<
     partSheets(form, stop);
     if (stop.stop_requested())
         throw Stopped();
-    Thinning thinning(form, rows.empty() ? std::set<std::pair<int, int>>() : edgesAlong(form, rows), stop);
+    Thinning thinning(
+        form, rows.empty() ? std::set<std::pair<int, int>>() : edgesAlong(form, rows, FormCuts().onEdges), stop);
     thinning.thin(triangles, true);
     if (static_cast<double>(thinning.count()) > nearlyThere * static_cast<double>(triangles))
         thinning.thin(triangles, false); // rough all over, as scans are

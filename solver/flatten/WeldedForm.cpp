@@ -18,7 +18,6 @@ namespace bolster {
 
 namespace {
 
-constexpr double onRow = 0.05;  // mm: of CAD curves samples lie within 0.02
 constexpr double parted = 0.01; // mm: sheets that touch would count as going through each other
 
 std::vector<int> partOfTriangles(const TriangleMesh& mesh)
@@ -114,7 +113,8 @@ public:
         double along = 0; ///< mm
     };
 
-    explicit RowPlaces(const std::vector<std::vector<Vec3>>& rows)
+    RowPlaces(const std::vector<std::vector<Vec3>>& rows, double within)
+        : m_within(within)
     {
         for (std::size_t r = 0; r < rows.size(); ++r) {
             double along = 0;
@@ -131,8 +131,9 @@ public:
     std::vector<Place> of(const Vec3& point) const
     {
         std::vector<Segments::iterator> near;
-        m_tree.all_intersected_primitives(CGAL::Bbox_3(point.x() - onRow, point.y() - onRow, point.z() - onRow,
-                                                       point.x() + onRow, point.y() + onRow, point.z() + onRow),
+        m_tree.all_intersected_primitives(CGAL::Bbox_3(point.x() - m_within, point.y() - m_within,
+                                                       point.z() - m_within, point.x() + m_within,
+                                                       point.y() + m_within, point.z() + m_within),
                                           std::back_inserter(near));
         std::vector<Place> places;
         for (const Segments::iterator& segment : near) {
@@ -141,13 +142,14 @@ public:
             const double length = (to - from).norm();
             const double along = length > 0 ? std::clamp((point - from).dot(to - from) / length, 0.0, length) : 0;
             const Place& begin = m_begins[static_cast<std::size_t>(&*segment - m_segments.data())];
-            if ((from + along / std::max(length, 1e-9) * (to - from) - point).norm() <= onRow)
+            if ((from + along / std::max(length, 1e-9) * (to - from) - point).norm() <= m_within)
                 places.push_back({begin.row, begin.along + along});
         }
         return places;
     }
 
 private:
+    double m_within; // mm
     Segments m_segments;
     std::vector<Place> m_begins; // of each segment
     Tree m_tree;
@@ -310,9 +312,10 @@ void partSheets(WeldedForm& form, const std::stop_token& stop)
         }
 }
 
-std::set<std::pair<int, int>> edgesAlong(const WeldedForm& form, const std::vector<std::vector<Vec3>>& rows)
+std::set<std::pair<int, int>> edgesAlong(const WeldedForm& form, const std::vector<std::vector<Vec3>>& rows,
+                                         double within)
 {
-    const RowPlaces places(rows);
+    const RowPlaces places(rows, within);
     std::vector<std::vector<std::pair<double, int>>> along(rows.size()); // points of each row
     for (std::size_t p = 0; p < form.points.size(); ++p)
         for (const RowPlaces::Place& place : places.of(form.points[p]))

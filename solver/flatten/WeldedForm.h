@@ -35,7 +35,8 @@ void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_to
 /// surface that lines can be cut into.
 void partSheets(WeldedForm& form, const std::stop_token& stop);
 
-/// Edges whose ends follow each other on one of these rows of points (mm), the lesser end first.
-std::set<std::pair<int, int>> edgesAlong(const WeldedForm& form, const std::vector<std::vector<Vec3>>& rows);
+/// Edges whose ends follow each other `within` so many mm on one of these rows of points, the lesser end first.
+std::set<std::pair<int, int>> edgesAlong(const WeldedForm& form, const std::vector<std::vector<Vec3>>& rows,
+                                         double within);
 
 } // namespace bolster
