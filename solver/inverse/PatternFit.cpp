@@ -37,8 +37,6 @@ constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
 constexpr int mostAttempts = 5;
 constexpr int mostVerifications = 10, fewVerifications = 4;
-constexpr int mostPasses = 4;          // towards a limit
-constexpr double worthAPass = 0.95;    // of what is over the limit: another one follows
 constexpr int mostImprovements = 2;  // on the way
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
@@ -342,24 +340,17 @@ private:
     {
         if (!m_order.goals.isLimitAlone() || m_result.values.isZero() || m_result.after.overLimit == 0)
             return !m_stop.stop_requested();
+        FitResult found = m_result;
         m_rows.strainFrom(FitRows::farBelowLimit);
-        for (int pass = 0; pass < mostPasses; ++pass) {
-            FitResult found = m_result;
-            m_untouched.reset();
-            const bool whole = improve(edge) && verify(edge, fewVerifications);
-            if (m_stop.stop_requested())
-                return false;
-            const bool keepsShape =
-                m_result.after.shapeRms <= std::max(m_order.goals.shapeWithin, found.after.shapeRms);
-            const double before = found.after.overLimit;
-            if (!whole || m_result.jumped || !keepsShape || !(m_result.after.overLimit < before)) {
-                found.rounds = std::move(m_result.rounds);
-                m_result = std::move(found);
-                break;
-            }
-            fprintf(stderr, "pass %d: %g -> %g shape %g\n", pass, before, m_result.after.overLimit, m_result.after.shapeRms);
-            if (m_result.after.overLimit > worthAPass * before)
-                break;
+        m_untouched.reset();
+        const bool whole = improve(edge) && verify(edge, fewVerifications);
+        if (m_stop.stop_requested())
+            return false;
+        const bool keepsShape =
+            m_result.after.shapeRms <= std::max(m_order.goals.shapeWithin, found.after.shapeRms);
+        if (!whole || m_result.jumped || !keepsShape || !(m_result.after.overLimit < found.after.overLimit)) {
+            found.rounds = std::move(m_result.rounds);
+            m_result = std::move(found);
         }
         return true;
     }
