@@ -136,13 +136,14 @@ std::vector<std::size_t> rowsOf(const Explanations& explained)
     std::vector<std::size_t> rows;
     const auto& ranked = explained.ranked;
     for (std::size_t k = 0; k < ranked.size(); ++k) {
-        if (ranked[k].probability >= hardlyAny || ranked[k].share >= hardlyAny)
+        if (ranked[k].share >= hardlyAny)
             rows.push_back(k);
     }
+    const auto likely = [&](std::size_t k) {
+        return ranked[k].probability >= hardlyAny ? ranked[k].probability : 0;
+    };
     std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
-        const double first = std::round(100 * ranked[a].probability),
-                     second = std::round(100 * ranked[b].probability);
-        return first != second ? first > second : ranked[a].share > ranked[b].share;
+        return likely(a) != likely(b) ? likely(a) > likely(b) : ranked[a].share > ranked[b].share;
     });
     return rows;
 }

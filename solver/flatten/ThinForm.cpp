@@ -1,5 +1,6 @@
 #include "ThinForm.h"
 
+#include "Form.h"
 #include "FormTree.h"
 #include "WeldedForm.h"
 
