@@ -166,7 +166,7 @@ public:
         }
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
-            std::vector<bool> still = badOnes(now, {}, m_limit);
+            const std::vector<bool> still = badOnes(now, {}, m_limit);
             const int before = m_divisions;
             if (closeSlits(now, still))
                 continue;
