@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace bolster {
@@ -276,6 +277,7 @@ void CauseWindow::take(Found found)
         return;
     }
     m_found = std::move(found);
+    m_rows = rowsOf(m_found->explained);
     say();
     fill();
 }
@@ -312,17 +314,15 @@ void CauseWindow::say()
     if (!m_found->sound && all.mostlyUnexplained())
         lines << tr("Most of the deviation has no cause of these kinds, so the first need not be the right one: "
                     "give the scan of a sound piece, too.");
-    if (const std::size_t rows = rowsOf(all).size(); rows > shownCauses)
+    if (m_rows.size() > shownCauses)
         lines << tr("%n more causes explain some of it, less likely than these.", nullptr,
-                    static_cast<int>(rows - shownCauses));
+                    static_cast<int>(m_rows.size() - shownCauses));
     m_said->setText(lines.join('\n'));
 }
 
 void CauseWindow::fill()
 {
-    m_rows = rowsOf(m_found->explained);
-    m_rows.resize(std::min(m_rows.size(), shownCauses));
-    for (const std::size_t k : m_rows) {
+    for (const std::size_t k : std::span(m_rows).first(std::min(m_rows.size(), shownCauses))) {
         const Explanation& one = m_found->explained.ranked[k];
         const Cause& cause = m_found->causes[one.cause];
         auto* row = new QTreeWidgetItem(m_list, {causeText(m_found->design, cause), amountText(one, cause.kind),

@@ -69,7 +69,7 @@ private:
 
     Design m_start; ///< of what is sought
     std::optional<Found> m_found;
-    std::vector<std::size_t> m_rows; ///< of the list: which of those that are ranked
+    std::vector<std::size_t> m_rows; ///< which of those that are ranked; the list has the first of them
     LatestJob<Wanted, Found> m_job;  ///< last: it uses the others
 };
 

@@ -311,7 +311,8 @@ QStringList PatternFitWindow::figures(const std::optional<FitFigures>& now) cons
     if (m_sought.lies)
         lines << tr("From %5: %1 before, %2 now (rms); %3 before, %4 now (95 %)")
                      .arg(lengthText(before.distanceRms, 2), length(&FitFigures::distanceRms),
-                          lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95), formName());
+                          lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95),
+                          isolated(formName()));
     const bool inArea = !m_wanted.order.goals.area.isAll();
     lines << (!m_sought.strained ? inArea ? tr("Over the fabrics' limits: %1 of the painted area before, %2 now")
                                           : tr("Over the fabrics' limits: %1 of the cover before, %2 now")
@@ -334,14 +335,15 @@ QStringList PatternFitWindow::figures(const std::optional<FitFigures>& now) cons
 QString PatternFitWindow::formName() const
 {
     const FitForm& form = m_wanted.form;
-    return isolated(form.scan ? QString::fromStdString(form.scan->name) : QFileInfo(form.file).fileName());
+    return form.scan ? QString::fromStdString(form.scan->name) : QFileInfo(form.file).fileName();
 }
 
 QString PatternFitWindow::missText(MissedGoal::Kind kind) const
 {
     switch (kind) {
     case MissedGoal::Kind::Form:
-        return tr("That is hardly nearer to %1: let something else change, or more of it.").arg(formName());
+        return tr("That is hardly nearer to %1: let something else change, or more of it.")
+            .arg(isolated(formName()));
     case MissedGoal::Kind::Strain:
         return tr("That is hardly nearer to the limit: let something else change, or more of it.");
     case MissedGoal::Kind::Smooth:
@@ -365,8 +367,7 @@ QStringList PatternFitWindow::notes(const FitFigures& now) const
     else
         for (const MissedGoal& miss : missedGoals(m_sought.strained, before, now))
             lines << missText(miss.kind);
-    constexpr double notablyMore = 0.01; // of the cover
-    if (now.overLimit > before.overLimit + notablyMore && !strainsForLittle(before, now))
+    if (strainsMore(before, now) && !strainsForLittle(before, now))
         lines << tr(
             "More of the cloth is strained over its limits: make these a goal, too, or let points move less.");
     if (missesLengths(m_wanted.order.locks, before, now))
@@ -388,8 +389,7 @@ QStringList PatternFitWindow::notes(const FitFigures& now) const
 /// For the history, in which one fit is not to look like the next.
 Message PatternFitWindow::verb() const
 {
-    const FitForm& form = m_wanted.form;
-    const std::string name = form.scan ? form.scan->name : QFileInfo(form.file).fileName().toStdString();
+    const std::string name = formName().toStdString();
     if (m_sought.lies && m_shown)
         return {QT_TRANSLATE_NOOP("Message", "Fit the pattern to %1, %2 mm from it"),
                 {name, numberText(m_shown->distanceRms, 3)}};

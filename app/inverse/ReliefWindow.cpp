@@ -259,11 +259,10 @@ void ReliefWindow::addRelief(std::size_t place)
     if (relief.moved > 0)
         lines << tr("Outlines change by %1").arg(lengthText(relief.moved));
     lines << tr("The cover moves by %1 (rms).").arg(lengthText(relief.shape));
-    const std::vector<SolveReport::ScanFit>& before = m_found->list.scans;
-    for (std::size_t k = 0; k < std::min(before.size(), relief.scans.size()); ++k)
+    for (const ScanChange& scan : scanChanges(m_found->list, relief))
         lines << tr("From %1 (rms): %2, then %3")
-                     .arg(isolated(QString::fromStdString(before[k].name)), lengthText(before[k].figures.rms, 2),
-                          lengthText(relief.scans[k].figures.rms, 2));
+                     .arg(isolated(QString::fromStdString(scan.name)), lengthText(scan.before, 2),
+                          lengthText(scan.after, 2));
     QFrame* card = addCard(m_found->pictures[place], translated(relief.text), lines.join('\n'));
     auto* show = new QPushButton(tr("Show where"), card);
     show->setAutoDefault(false);

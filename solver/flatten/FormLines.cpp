@@ -2,6 +2,7 @@
 
 #include "FormTree.h"
 #include "LinedMesh.h"
+#include "SegmentDistance.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -470,7 +471,7 @@ private:
             }
         };
         for (const FormEdge e : m_form.mesh.edges())
-            if (const auto [a, b] = endsOf(e); distanceTo(end, a, b) < reach && isCutAnyway(e))
+            if (const auto [a, b] = endsOf(e); segmentDistance<3>(end, a, b) < reach && isCutAnyway(e))
                 look(nearestOn(end, a, b));
         for (const FormLine& other : m_lines)
             if (!(other == line))
@@ -491,11 +492,6 @@ private:
         const Vec3 way = to - from;
         const double share = way.squaredNorm() > 0 ? (at - from).dot(way) / way.squaredNorm() : 0;
         return from + std::clamp(share, 0.0, 1.0) * way;
-    }
-
-    static double distanceTo(const Vec3& at, const Vec3& from, const Vec3& to)
-    {
-        return (nearestOn(at, from, to) - at).norm();
     }
 
     /// One place more behind the end of a line: a little beyond what is near, or else straight on.
@@ -568,7 +564,7 @@ private:
         for (const FormEdge e : m_form.mesh.edges())
             if (m_form.mesh.is_border(e)) {
                 const auto [a, b] = endsOf(e);
-                border = std::min(border, distanceTo(at, a, b));
+                border = std::min(border, segmentDistance<3>(at, a, b));
             }
         for (const FormLine& line : m_lines)
             if (line.name != name)

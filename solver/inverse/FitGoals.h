@@ -114,6 +114,9 @@ bool mendsLengths(const FitLocks& locks, const FitFigures& before, const FitFigu
 /// limits.
 bool strainsForLittle(const FitFigures& before, const FitFigures& after);
 
+/// Whether notably more of a cover is strained over its limits than before.
+bool strainsMore(const FitFigures& before, const FitFigures& after);
+
 /// What a change was for, and hardly brought nearer.
 struct MissedGoal {
     enum class Kind { Form, Strain, Smooth, Seams, Sizes } kind;

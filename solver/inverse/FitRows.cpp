@@ -157,6 +157,12 @@ bool strainsForLittle(const FitFigures& before, const FitFigures& after)
     return after.distanceRms > littleGained * before.distanceRms && after.overLimit > before.overLimit + muchMore;
 }
 
+bool strainsMore(const FitFigures& before, const FitFigures& after)
+{
+    constexpr double notablyMore = 0.01; // of the cover
+    return after.overLimit > before.overLimit + notablyMore;
+}
+
 std::vector<MissedGoal> missedGoals(bool strained, const FitFigures& before, const FitFigures& after)
 {
     constexpr double hardlyNearer = 0.9;              // of what it was

@@ -357,7 +357,7 @@ std::string missText(const MissedGoal& miss)
 /// What the change costs, or does not bring.
 void printMisses(const FitOrder& order, const FitResult& result)
 {
-    constexpr double littleCovered = 0.2, notablyMore = 0.01; // share of the cover
+    constexpr double littleCovered = 0.2; // share of the cover
     const FitFigures &before = result.before, &after = result.after;
     if (!order.goals.target.empty() && before.covered < littleCovered)
         printError("warning: only " + percentText(before.covered, 2) +
@@ -366,7 +366,7 @@ void printMisses(const FitOrder& order, const FitResult& result)
         for (const MissedGoal& miss : missedGoals(order.goals.strain, before, after))
             printError("warning: " + missText(miss) +
                        "; let something else change, or more of it (--freedom, --max-change)");
-    if (after.overLimit > before.overLimit + notablyMore)
+    if (strainsMore(before, after))
         printError("warning: more of the cloth is strained over its limits: " + overLimitText(order.goals, before) +
                    " before, " + overLimitText(order.goals, after) +
                    " now; --to strain besides the other goals, or a smaller --max-change keeps it down");

@@ -79,13 +79,13 @@ std::string areaText(const OverLimit& now, const ReliefGain& gain)
     return percentText((1 - gain.area) * now.area) + " of the cover is over the limit then";
 }
 
-/// ", 5.5 mm from Scan (6.1 mm now)" for each scan of the design.
+/// ", 5.5 mm from "Scan" (now 6.1)" for each scan of the design.
 std::string scansText(const ReliefList& list, const Relief& relief)
 {
     std::string text;
-    for (std::size_t k = 0; k < std::min(relief.scans.size(), list.scans.size()); ++k)
-        text += ", " + numberText(relief.scans[k].figures.rms, 3) + " mm from \"" + relief.scans[k].name +
-                "\" (now " + numberText(list.scans[k].figures.rms, 3) + ")";
+    for (const ScanChange& scan : scanChanges(list, relief))
+        text += ", " + numberText(scan.after, 3) + " mm from \"" + scan.name + "\" (now " +
+                numberText(scan.before, 3) + ")";
     return text;
 }
 

@@ -198,6 +198,17 @@ double shapeChange(const SurfaceMesh& before, const SurfaceMesh& after)
 
 } // namespace
 
+std::vector<ScanChange> scanChanges(const ReliefList& list, const Relief& relief)
+{
+    std::vector<ScanChange> changes;
+    for (std::size_t k = 0; k < std::min(list.scans.size(), relief.scans.size()); ++k) {
+        const ScanFigures &before = list.scans[k].figures, &after = relief.scans[k].figures;
+        if (before.coverage > 0 && after.coverage > 0)
+            changes.push_back({list.scans[k].name, before.rms, after.rms});
+    }
+    return changes;
+}
+
 const char* wordOf(Relief::Kind kind)
 {
     static constexpr const char* words[] = {"ease", "let-out", "move-seam", "corner", "dart", "continuity"};

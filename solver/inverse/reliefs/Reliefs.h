@@ -49,6 +49,14 @@ struct ReliefList {
     std::vector<Relief> reliefs;             ///< the solved ones first, then by what is predicted
 };
 
+/// How far a cover lies from a scan now, and with a relief; mm, rms.
+struct ScanChange {
+    std::string name;
+    double before = 0, after = 0;
+};
+/// Of the scans that show something of both covers.
+std::vector<ScanChange> scanChanges(const ReliefList& list, const Relief& relief);
+
 /// "ease", "let-out", "move-seam", "corner", "dart", "continuity"
 const char* wordOf(Relief::Kind kind);
 
