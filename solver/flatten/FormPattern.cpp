@@ -24,6 +24,7 @@ constexpr double farthestFlat = 1e6;   // mm: what lies farther out has burst wh
 constexpr double leastShape = 1e-6;    // of a triangle, against the squares of its sides
 constexpr double sharpTurn = 35;       // degrees: an outline or a border that turns more has a corner
 constexpr double bluntTurn = 5;        // degrees: that is seen in a straight line
+constexpr double mostRounded = 2;      // mm: what a coarse form has is what it is
 constexpr double besideCorner = 0.05;  // times its turn: straight
 constexpr int samplesOfEdge = 4;       // for fitting
 constexpr double besideEachOther = 60; // mm between patches in the layout
@@ -47,6 +48,16 @@ double turnAt(const Point& before, const Point& at, const Point& after)
     const Point in = at - before, out = after - at;
     const double both = in.norm() * out.norm();
     return both > 0 ? std::acos(std::clamp(in.dot(out) / both, -1.0, 1.0)) * 180 / std::numbers::pi : 0;
+}
+
+/// How far a curve through these places would lie from the edges between them, mm.
+template <class Point>
+double roundedBy(const Point& before, const Point& at, const Point& after)
+{
+    const double one = (at - before).norm(), other = (after - at).norm();
+    const bool fromLine = std::max(one, other) > muchLonger * std::min(one, other); // which stays one
+    const double length = fromLine ? std::min(one, other) : std::max(one, other);
+    return length / 2 * std::tan(turnAt(before, at, after) / 4 * std::numbers::pi / 180);
 }
 
 /// Of a row; `at`: how far along its points are.
@@ -258,7 +269,9 @@ private:
 
     bool isCorner(std::size_t p, std::size_t k) const
     {
-        if (beginsRow(p, k) || flatTurn(p, k) > sharpTurn || standsAlone(p, k))
+        if (beginsRow(p, k) || flatTurn(p, k) > sharpTurn || standsAlone(p, k) ||
+            roundedBy(flatPoint(p, piece(p).before(k)), flatPoint(p, k), flatPoint(p, piece(p).after(k))) >
+                mostRounded)
             return true;
         return piece(p).mates[k].none() && turnsOnForm(p, k);
     }
@@ -266,8 +279,9 @@ private:
     /// Where a border goes over a crease of the form; laid flat it may be straight there.
     bool turnsOnForm(std::size_t p, std::size_t k) const
     {
-        return turnAt(formPoint(p, piece(p).before(k)), formPoint(p, k), formPoint(p, piece(p).after(k))) >
-               sharpTurn;
+        const Vec3 &before = formPoint(p, piece(p).before(k)), &at = formPoint(p, k),
+                   &after = formPoint(p, piece(p).after(k));
+        return turnAt(before, at, after) > sharpTurn || roundedBy(before, at, after) > mostRounded;
     }
 
     /// None of a piece that is left out.

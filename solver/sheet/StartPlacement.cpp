@@ -19,6 +19,10 @@ namespace {
 
 /// Fixations that lie this nearly on one line do not say how the patch turns about it.
 constexpr double lineThreshold = 0.02;
+/// Of a patch with its places: with less of it they go round, and a rigid patch says nothing of how it lies.
+constexpr double leastCorrelation = 0.75;
+constexpr double flatRim = 0.3;   // of its radius, across its plane
+constexpr double leastTurn = 0.1; // of a disc's area: what a rim must go around
 
 struct Rigid {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -30,16 +34,26 @@ struct Rigid {
 struct Correspondence {
     Vec2 rest;
     Vec3 place;
+    int vertex;
+};
+
+/// Fixed points of a component.
+struct Rim {
+    Vec3 centre = Vec3::Zero();
+    Vec3 up = Vec3::Zero(); ///< where cloth that is closed above them stands, unit: to the outside; else zero
 };
 
 class Placer {
 public:
     explicit Placer(const SewnMesh& mesh)
         : m_mesh(mesh)
-        , m_placed(mesh.parts.size())
+        , m_isPlaced(mesh.parts.size())
         , m_held(mesh.parts.size())
     {
+        m_places.setZero(3, mesh.vertexCount());
+        m_frames.setZero(4, mesh.vertexCount());
         collectHeld();
+        findUps();
         linkVertices();
     }
 
@@ -55,25 +69,66 @@ public:
     }
 
 private:
+    bool isHeld(int v) const { return static_cast<int>(m_mesh.topology->unknown[v]) >= m_mesh.freeCount; }
+    const Vec3& target(int v) const { return m_mesh.targets[m_mesh.topology->unknown[v] - m_mesh.freeCount]; }
+
     void collectHeld()
     {
-        const SurfaceTopology& topology = *m_mesh.topology;
-        m_centre.assign(m_mesh.diameter.size(), Vec3::Zero());
-        std::vector<int> count(m_mesh.diameter.size(), 0);
+        m_rims.resize(m_mesh.diameter.size());
+        std::vector<int> count(m_rims.size(), 0);
         for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
             const SewnMesh::Part& part = m_mesh.parts[p];
             for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-                const int fixed = static_cast<int>(topology.unknown[v]) - m_mesh.freeCount;
-                if (fixed < 0)
+                if (!isHeld(v))
                     continue;
-                m_held[p].push_back({m_mesh.rest()[v], m_mesh.targets[fixed]});
-                m_centre[part.component] += m_mesh.targets[fixed];
+                m_held[p].push_back({m_mesh.rest()[v], target(v), v});
+                m_rims[part.component].centre += target(v);
                 ++count[part.component];
             }
         }
-        for (std::size_t c = 0; c < m_centre.size(); ++c)
+        for (std::size_t c = 0; c < m_rims.size(); ++c)
             if (count[c] > 0)
-                m_centre[c] /= count[c];
+                m_rims[c].centre /= count[c];
+    }
+
+    /// The cloth lies to the left of its outline, seen from outside. So a rim in a plane, which goes around what it
+    /// holds, says on which side of that plane the cloth is to stand.
+    void findUps()
+    {
+        std::vector<double> squares(m_rims.size(), 0), vertices(m_rims.size(), 0);
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+            const SewnMesh::Part& part = m_mesh.parts[p];
+            Rim& rim = m_rims[part.component];
+            for (const Correspondence& c : m_held[p]) {
+                squares[part.component] += (c.place - rim.centre).squaredNorm();
+                vertices[part.component] += 1;
+                if (const std::optional<int> next = nextHeld(part, c.vertex))
+                    rim.up += part.outward * (c.place - rim.centre).cross(target(*next) - rim.centre) / 2;
+            }
+        }
+        std::vector<double> across(m_rims.size(), 0);
+        for (std::size_t c = 0; c < m_rims.size(); ++c) {
+            const double disc = EIGEN_PI * squares[c] / std::max(vertices[c], 1.0);
+            m_rims[c].up = m_rims[c].up.norm() > leastTurn * disc ? m_rims[c].up.normalized() : Vec3(Vec3::Zero());
+        }
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+            const int c = m_mesh.parts[p].component;
+            for (const Correspondence& held : m_held[p])
+                across[c] += std::pow(m_rims[c].up.dot(held.place - m_rims[c].centre), 2);
+        }
+        for (std::size_t c = 0; c < m_rims.size(); ++c)
+            if (across[c] > flatRim * flatRim * squares[c])
+                m_rims[c].up.setZero();
+    }
+
+    /// Along the outline, where that is held, too.
+    std::optional<int> nextHeld(const SewnMesh::Part& part, int v) const
+    {
+        const int k = v - part.firstVertex;
+        if (k >= part.boundaryCount)
+            return std::nullopt;
+        const int next = part.firstVertex + (k + 1 < part.boundaryCount ? k + 1 : 0);
+        return isHeld(next) ? std::optional(next) : std::nullopt;
     }
 
     /// The vertices that share an unknown, for walking from patch to patch.
@@ -106,19 +161,35 @@ private:
         restCentre /= static_cast<double>(points.size());
         placeCentre /= static_cast<double>(points.size());
         Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
-        for (const Correspondence& c : points)
+        double restSquares = 0, placeSquares = 0;
+        for (const Correspondence& c : points) {
             covariance += (c.place - placeCentre) * (c.rest - restCentre).transpose();
+            restSquares += (c.rest - restCentre).squaredNorm();
+            placeSquares += (c.place - placeCentre).squaredNorm();
+        }
 
+        const Vec3& up = m_rims[part.component].up;
         Rigid rigid;
         const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>, Eigen::FullPivHouseholderQRPreconditioner> svd(
             covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        // The sum of the covariance's singular values; their product is the area that its columns span.
+        const double singular =
+            std::sqrt(covariance.squaredNorm() + 2 * covariance.col(0).cross(covariance.col(1)).norm());
+        const double correlation = singular / std::sqrt(std::max(restSquares * placeSquares, 1e-300));
+        const bool stands = !m_held[p].empty() && up != Vec3::Zero();
+        if (stands && correlation < leastCorrelation) {
+            standAround(p);
+            return;
+        }
         if (svd.singularValues()[1] > lineThreshold * svd.singularValues()[0]) {
             rigid.rotation.leftCols<2>() = svd.matrixU().leftCols<2>() * svd.matrixV().transpose();
             rigid.rotation.col(2) = rigid.rotation.col(0).cross(rigid.rotation.col(1));
         } else {
             const bool point = svd.singularValues()[0] <= 0;
             const Vec3 along = point ? Vec3(Vec3::UnitX()) : Vec3(svd.matrixU().col(0));
-            Vec3 outwards = across(along, placeCentre - m_centre[part.component]);
+            Vec3 outwards = across(along, placeCentre - m_rims[part.component].centre);
+            if (stands)
+                outwards = runsAlong(p, svd.matrixV().col(0)) * part.outward * along.cross(up);
             if (outwards.norm() < 1e-3 * m_mesh.diameter[part.component])
                 outwards = bulge(points, placeCentre, along);
             rigid.rotation = turnedOutwards(svd.matrixV().col(0), along, outwards, part.outward);
@@ -127,14 +198,71 @@ private:
         settle(p, rigid);
     }
 
-    /// What is sewn to it waits for its turn.
+    /// 1 where the held outline runs along a direction of the pattern, -1 where it runs against it.
+    double runsAlong(int p, const Vec2& direction) const
+    {
+        double sum = 0;
+        for (const Correspondence& c : m_held[p])
+            if (const std::optional<int> next = nextHeld(m_mesh.parts[p], c.vertex))
+                sum += (m_mesh.rest()[*next] - c.rest).dot(direction);
+        return sum < 0 ? -1 : 1;
+    }
+
+    /// A wall along a rim that it goes around: each vertex where the nearest place of the rim has it, upright.
+    void standAround(int p)
+    {
+        const SewnMesh::Part& part = m_mesh.parts[p];
+        const Vec3& up = m_rims[part.component].up;
+        std::vector<Correspondence> feet;
+        std::vector<Eigen::Matrix3d> turns;
+        for (const Correspondence& c : m_held[p]) {
+            const std::optional<int> next = nextHeld(part, c.vertex);
+            if (!next)
+                continue;
+            const Vec2 rest = m_mesh.rest()[*next] - c.rest;
+            const Vec3 along = across(up, target(*next) - c.place);
+            if (!(rest.norm() > 0) || !(along.norm() > 0))
+                continue;
+            feet.push_back({(m_mesh.rest()[*next] + c.rest) / 2, (target(*next) + c.place) / 2, c.vertex});
+            const Vec2 right = rest.normalized();
+            Eigen::Matrix3d from, to;
+            from << Vec3(right.x(), right.y(), 0), Vec3(-right.y(), right.x(), 0), Vec3::UnitZ();
+            to << along.normalized(), up, along.normalized().cross(up);
+            turns.push_back(to * from.transpose());
+        }
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
+            const Vec2& rest = m_mesh.rest()[v];
+            const auto nearest = std::ranges::min_element(
+                feet, {}, [&](const Correspondence& c) { return (c.rest - rest).squaredNorm(); });
+            const Eigen::Matrix3d& turn = turns[static_cast<std::size_t>(nearest - feet.begin())];
+            put(v, nearest->place + turn.leftCols<2>() * (rest - nearest->rest), turn);
+        }
+        settle(p);
+    }
+
+    void put(int v, const Vec3& at, const Eigen::Matrix3d& turn)
+    {
+        const Quat q(turn);
+        m_places.col(v) = at;
+        m_frames.col(v) << q.w(), q.x(), q.y(), q.z();
+    }
+
     void settle(int p, const Rigid& rigid)
     {
-        m_placed[p] = rigid;
+        const SewnMesh::Part& part = m_mesh.parts[p];
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
+            put(v, rigid(m_mesh.rest()[v]), rigid.rotation);
+        settle(p);
+    }
+
+    /// What is sewn to it waits for its turn.
+    void settle(int p)
+    {
+        m_isPlaced[p] = 1;
         const SewnMesh::Part& part = m_mesh.parts[p];
         for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v)
             for (const int other : m_sharing[m_mesh.topology->unknown[v]])
-                if (!m_placed[m_partOf[other]] && !std::exchange(m_isSewn[other], 1))
+                if (!m_isPlaced[m_partOf[other]] && !std::exchange(m_isSewn[other], 1))
                     m_waiting.emplace(++m_sewnCount[m_partOf[other]], -m_partOf[other]);
     }
 
@@ -173,25 +301,25 @@ private:
             Vec3 sum = Vec3::Zero();
             int count = 0;
             for (int other : m_sharing[m_mesh.topology->unknown[v]])
-                if (const auto& rigid = m_placed[m_partOf[other]]) {
-                    sum += (*rigid)(m_mesh.rest()[other]);
+                if (m_isPlaced[m_partOf[other]]) {
+                    sum += m_places.col(other);
                     ++count;
                 }
             if (count > 0)
-                points.push_back({m_mesh.rest()[v], sum / count});
+                points.push_back({m_mesh.rest()[v], sum / count, v});
         }
         return points;
     }
 
     bool placeNextThroughSeams()
     {
-        while (!m_waiting.empty() && m_placed[-m_waiting.top().second])
+        while (!m_waiting.empty() && m_isPlaced[-m_waiting.top().second])
             m_waiting.pop();
         if (m_waiting.empty())
             return false;
         const int best = -m_waiting.top().second;
         if (!m_mesh.anchored[m_mesh.parts[best].component])
-            m_centre[m_mesh.parts[best].component] = centreOfPlaced(m_mesh.parts[best].component);
+            m_rims[m_mesh.parts[best].component].centre = centreOfPlaced(m_mesh.parts[best].component);
         place(best, sewnPoints(best));
         return true;
     }
@@ -202,10 +330,10 @@ private:
         double area = 0;
         for (const int p : m_ofComponent[component]) {
             const SewnMesh::Part& part = m_mesh.parts[p];
-            if (!m_placed[p])
+            if (!m_isPlaced[p])
                 continue;
             for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
-                sum += m_mesh.area[v] * (*m_placed[p])(m_mesh.rest()[v]);
+                sum += m_mesh.area[v] * m_places.col(v);
             area += part.area;
         }
         return area > 0 ? Vec3(sum / area) : sum;
@@ -214,7 +342,7 @@ private:
     /// A component that nothing holds begins with its largest patch, lying flat; several lie side by side.
     bool placeFirstOfFreeComponent()
     {
-        while (m_nextLargest < m_byArea.size() && m_placed[m_byArea[m_nextLargest]])
+        while (m_nextLargest < m_byArea.size() && m_isPlaced[m_byArea[m_nextLargest]])
             ++m_nextLargest;
         if (m_nextLargest == m_byArea.size())
             return false;
@@ -236,18 +364,14 @@ private:
     {
         SheetState state;
         state.positions.setZero(3, m_mesh.unknownCount());
-        state.frames.resize(4, m_mesh.vertexCount());
         for (int u = 0; u < m_mesh.unknownCount(); ++u) {
             for (int v : m_sharing[u])
-                state.positions.col(u) += (*m_placed[m_partOf[v]])(m_mesh.rest()[v]);
+                state.positions.col(u) += m_places.col(v);
             state.positions.col(u) /= static_cast<double>(m_sharing[u].size());
         }
         for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
             state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)) = m_mesh.targets[k];
-        for (int v = 0; v < m_mesh.vertexCount(); ++v) {
-            const Quat q(m_placed[m_partOf[v]]->rotation);
-            state.frames.col(v) << q.w(), q.x(), q.y(), q.z();
-        }
+        state.frames = m_frames;
         return state;
     }
 
@@ -260,9 +384,11 @@ private:
     }
 
     const SewnMesh& m_mesh;
-    std::vector<std::optional<Rigid>> m_placed;
+    std::vector<char> m_isPlaced; // of each part
+    Eigen::Matrix3Xd m_places;    // of the vertices of those,
+    Eigen::Matrix4Xd m_frames;    // and how they lie: w, x, y, z
     std::vector<std::vector<Correspondence>> m_held;
-    std::vector<Vec3> m_centre; // of the fixations, per component
+    std::vector<Rim> m_rims; // per component
     std::vector<std::vector<int>> m_sharing;
     std::vector<int> m_partOf;
     std::vector<std::vector<int>> m_ofComponent; // parts

@@ -3,6 +3,7 @@
 #include "FormTree.h"
 #include "LinedMesh.h"
 #include "SegmentDistance.h"
+#include "SharpEdges.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -27,7 +28,9 @@ constexpr double shortest = 1, longest = 1e5;    // mm, of a line
 constexpr double farthest = 25;                  // mm: what lies farther from the form is no line on it
 constexpr double reach = 10; // mm: a line that ends so near to a border or another line goes on to it
 constexpr double leastLoop = 5 * reach;
-constexpr double overshoot = 1; // mm, so that they surely cross
+constexpr double overshoot = 1;  // mm, so that they surely cross
+constexpr double overEnd = 3;    // mm
+constexpr double sameLine = 2.5; // mm: nobody sews what is narrower
 
 /// Which part the triangles belong to that others are divided into.
 struct PartsKept : Pmp::Corefinement::Default_visitor<CgalMesh> {
@@ -123,11 +126,13 @@ public:
         , m_spacing(apart)
         , m_whole(m_form.build(m_soup, {}, stop))
         , m_tree(trianglesOf(m_soup), stop)
+        , m_sharp(m_soup)
     {
-        if (m_whole && !stop.stop_requested())
-            std::ranges::copy_if(m_cuts.lines, std::back_inserter(m_lines), [&](const FormLine& line) {
-                return line.points.size() > 1 && whyRefused(line).empty();
-            });
+        for (const FormLine& line : m_cuts.lines)
+            if (m_whole && !stop.stop_requested() && line.points.size() > 1 && whyRefused(line).empty()) {
+                m_lines.push_back(line);
+                m_places.push_back(placesOf(line));
+            }
     }
 
     bool whole() const { return m_whole; }
@@ -149,12 +154,11 @@ public:
             m_notes.push_back(std::move(why));
             return;
         }
-        for (const FormLine& earlier : m_lines)
-            if (earlier == line)
-                break;
-            else if (runsAlong(line, earlier)) {
+        m_current = static_cast<std::size_t>(std::ranges::find(m_lines, line) - m_lines.begin());
+        for (std::size_t k = 0; k < m_current; ++k)
+            if (runsAlong(line, m_lines[k])) {
                 m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2, at %3: it is cut there once"),
-                                   {line.name, earlier.name, middleOf(line)}});
+                                   {line.name, m_lines[k].name, middleOf(line)}});
                 return;
             }
         const std::vector<FormLine> parts = awayFromBorder(comesBack(line) ? closed(line) : line);
@@ -164,7 +168,7 @@ public:
                                               "at %2: there is nothing to cut"),
                  {line.name, middleOf(line)}});
         for (const FormLine& part : parts)
-            cutNow(part, stop);
+            cutPart(part, stop);
     }
 
     LinedTriangles result()
@@ -229,11 +233,10 @@ private:
     /// All of it.
     static bool runsAlong(const FormLine& line, const FormLine& other)
     {
-        constexpr double same = 0.5; // mm
-        const std::vector<Vec3> places = evenly(other, same);
-        return std::ranges::all_of(line.points, [&](const Vec3& point) {
+        const std::vector<Vec3> places = evenly(other, sameLine / 2);
+        return std::ranges::all_of(evenly(line, spacing), [&](const Vec3& point) {
             return std::ranges::any_of(places,
-                                       [&](const Vec3& place) { return (place - point).norm() <= 2 * same; });
+                                       [&](const Vec3& place) { return (place - point).norm() <= sameLine; });
         });
     }
 
@@ -254,9 +257,75 @@ private:
                 {line.name, placeText(selfCrossing(form).value_or(line.points.front()))}};
     }
 
-    void cutNow(const FormLine& line, const std::stop_token& stop)
+    /// As it goes on to others: on sharp edges where it runs along those.
+    std::vector<Vec3> placesOf(const FormLine& line) const
     {
-        CgalMesh strip = ribbonAlong(line);
+        std::vector<Vec3> places;
+        for (const LineRun& run : m_sharp.runsOf(evenly(line, spacing / 2), line.closed))
+            places.insert(places.end(), run.places.begin(), run.places.end());
+        return places;
+    }
+
+    void cutPart(const FormLine& line, const std::stop_token& stop)
+    {
+        std::vector<LineRun> runs = m_sharp.runsOf(evenly(line, m_spacing), line.closed);
+        if (std::ranges::none_of(runs, &LineRun::onEdges)) {
+            cutNow(line, {}, stop);
+            return;
+        }
+        leadOn(runs, line);
+        for (LineRun& run : runs)
+            if (run.onEdges)
+                run.onEdges = m_sharp.cut(m_soup, run);
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            const bool goesOn = line.closed && runs.size() > 1;
+            if (!runs[k].onEdges)
+                cutNow({line.name, std::move(runs[k].places), line.closed && runs.size() == 1},
+                       {k > 0 || goesOn, k + 1 < runs.size() || goesOn}, stop);
+        }
+    }
+
+    /// What a line has besides where it runs along edges may be no more than how far it was drawn over their ends;
+    /// and where it ends on an edge a little before a border or another line it goes on to there.
+    void leadOn(std::vector<LineRun>& runs, const FormLine& line) const
+    {
+        const auto isOver = [&](const LineRun& run) {
+            const double length = lengthOf({{}, run.places});
+            return !run.onEdges &&
+                   (length < overEnd || (length < 2 * reach && std::ranges::any_of(run.places, [&](const Vec3& at) {
+                                             return isBeyond(at);
+                                         })));
+        };
+        if (line.closed)
+            return;
+        if (isOver(runs.back()))
+            runs.pop_back();
+        if (isOver(runs.front()))
+            runs.erase(runs.begin());
+        if (runs.back().onEdges)
+            leadOn(runs.back().places);
+        if (runs.front().onEdges) {
+            std::ranges::reverse(runs.front().places);
+            leadOn(runs.front().places);
+            std::ranges::reverse(runs.front().places);
+        }
+    }
+
+    void leadOn(std::vector<Vec3>& places) const
+    {
+        const Vec3& end = places.back();
+        const Vec3 direction = (end - places[places.size() - 2]).normalized();
+        if (const std::optional<Vec3> ahead = placeAhead(end, direction))
+            if (const std::optional<Vec3> on = m_sharp.nearest(*ahead + overshoot * direction))
+                places.push_back(*on);
+    }
+
+    /// Whether its ends are on edges that are cut, where it stops.
+    using Joined = std::pair<bool, bool>;
+
+    void cutNow(const FormLine& line, const Joined& joined, const std::stop_token& stop)
+    {
+        CgalMesh strip = ribbonAlong(line, joined);
         LinedMesh near;
         // Where sheets touch in a point when they are taken alone, all of it is.
         if (!near.build(m_soup, trianglesNear(m_soup, strip)))
@@ -372,7 +441,7 @@ private:
                 if (!isCutAnyway(m_form.mesh.edge(half)))
                     continue;
                 const auto [from, to] = endsOf(m_form.mesh.edge(half));
-                const Vec3 place = nearestOn(at, from, to);
+                const Vec3 place = nearestOnSegment<3>(at, from, to);
                 if (!found || (place - at).norm() < (*found - at).norm())
                     found = place;
             }
@@ -458,7 +527,7 @@ private:
 
     /// What a line that ends on the form may go on to: the nearest place of a border, of where it is cut anyway, or
     /// of another line, within reach, and neither beside nor behind.
-    std::optional<Vec3> placeAhead(const Vec3& end, const Vec3& direction, const FormLine& line) const
+    std::optional<Vec3> placeAhead(const Vec3& end, const Vec3& direction) const
     {
         constexpr double mostAside = 0.25; // cosine of the angle by which it turns at most
         std::optional<Vec3> found;
@@ -472,10 +541,10 @@ private:
         };
         for (const FormEdge e : m_form.mesh.edges())
             if (const auto [a, b] = endsOf(e); segmentDistance<3>(end, a, b) < reach && isCutAnyway(e))
-                look(nearestOn(end, a, b));
-        for (const FormLine& other : m_lines)
-            if (!(other == line))
-                for (const Vec3& place : evenly(other, spacing / 2))
+                look(nearestOnSegment<3>(end, a, b));
+        for (std::size_t k = 0; k < m_lines.size(); ++k)
+            if (k != m_current)
+                for (const Vec3& place : m_places[k])
                     if ((place - end).norm() < reach + farthest) // both as they lie on the form
                         look(m_tree.nearestTo(place).at);
         return found;
@@ -487,41 +556,38 @@ private:
                 fromCgal(m_form.mesh.point(m_form.mesh.vertex(e, 1)))};
     }
 
-    static Vec3 nearestOn(const Vec3& at, const Vec3& from, const Vec3& to)
-    {
-        const Vec3 way = to - from;
-        const double share = way.squaredNorm() > 0 ? (at - from).dot(way) / way.squaredNorm() : 0;
-        return from + std::clamp(share, 0.0, 1.0) * way;
-    }
-
     /// One place more behind the end of a line: a little beyond what is near, or else straight on.
-    Vec3 goneOn(const Vec3& end, const Vec3& before, const FormLine& line) const
+    Vec3 goneOn(const Vec3& end, const Vec3& before) const
     {
         const Vec3 straight = (end - before).normalized(), on = m_tree.nearestTo(end).at;
-        const std::optional<Vec3> ahead = placeAhead(on, straight, line);
+        const std::optional<Vec3> ahead = placeAhead(on, straight);
         const double missing = ahead ? (*ahead - on).norm() : 0;
         return missing > overshoot ? Vec3(*ahead + overshoot / missing * (*ahead - on))
                                    : Vec3(end + (missing + overshoot) * straight);
     }
 
     /// On to a border or another line that is near, where it is not outside of the border.
-    void prolong(std::vector<Vec3>& places, const FormLine& line) const
+    void prolong(std::vector<Vec3>& places, const FormLine& line, const Joined& joined) const
     {
         const auto [starts, ends] = trim(places, line);
         if (line.closed || places.size() < 2)
             return;
-        const Vec3 first = goneOn(places.front(), places[1], line);
-        const Vec3 last = goneOn(places.back(), places[places.size() - 2], line);
+        const auto over = [&](const Vec3& end, const Vec3& before) {
+            return Vec3(end + overshoot * (end - before).normalized());
+        };
+        const Vec3 &second = places[1], &last = places.back(), &lastBut = places[places.size() - 2];
+        const Vec3 before = joined.first ? over(places.front(), second) : goneOn(places.front(), second);
+        const Vec3 behind = joined.second ? over(last, lastBut) : goneOn(last, lastBut);
         if (!starts)
-            places.insert(places.begin(), first);
+            places.insert(places.begin(), before);
         if (!ends)
-            places.push_back(last);
+            places.push_back(behind);
     }
 
-    CgalMesh ribbonAlong(const FormLine& line) const
+    CgalMesh ribbonAlong(const FormLine& line, const Joined& joined) const
     {
         std::vector<Vec3> places = evenly(line, m_spacing);
-        prolong(places, line);
+        prolong(places, line, joined);
         std::vector<LinePlace> on;
         for (const Vec3& place : places)
             on.push_back(placeOf(place));
@@ -553,22 +619,23 @@ private:
     Message looseEnd(const Vec3& at) const
     {
         double nearest = std::numeric_limits<double>::infinity();
-        std::string name;
-        for (const FormLine& line : m_lines)
-            for (const Vec3& place : evenly(line, spacing))
+        std::size_t own = 0;
+        for (std::size_t k = 0; k < m_lines.size(); ++k)
+            for (const Vec3& place : m_places[k])
                 if (const double distance = (place - at).norm(); distance < nearest) {
                     nearest = distance;
-                    name = line.name;
+                    own = k;
                 }
+        const std::string name = m_lines.empty() ? std::string() : m_lines[own].name;
         double border = std::numeric_limits<double>::infinity();
         for (const FormEdge e : m_form.mesh.edges())
             if (m_form.mesh.is_border(e)) {
                 const auto [a, b] = endsOf(e);
                 border = std::min(border, segmentDistance<3>(at, a, b));
             }
-        for (const FormLine& line : m_lines)
-            if (line.name != name)
-                for (const Vec3& place : evenly(line, spacing / 2))
+        for (std::size_t k = 0; k < m_lines.size(); ++k)
+            if (k != own)
+                for (const Vec3& place : m_places[k])
                     border = std::min(border, (place - at).norm());
         if (!std::isfinite(border))
             return {QT_TRANSLATE_NOOP("Message",
@@ -588,8 +655,11 @@ private:
     bool m_whole;
     FormTree m_tree; // of it as it was
     std::vector<Message> m_notes;
-    std::vector<FormLine> m_lines; // that are cut; nothing goes on to the others
-    FormLine m_lastLine;           // that was to be cut
+    std::vector<FormLine> m_lines;           // that are cut; nothing goes on to the others
+    std::vector<std::vector<Vec3>> m_places; // of those
+    std::size_t m_current = 0;               // of them, that is cut
+    SharpEdges m_sharp;                      // of the form as it was
+    FormLine m_lastLine;                     // that was to be cut
 };
 
 bool isAmong(const FormLine& line, const std::vector<FormLine>& lines)
