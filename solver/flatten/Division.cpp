@@ -177,6 +177,7 @@ public:
         }
         if (m_stop.stop_requested())
             return form;
+        sayWhatIsLost(now);
         now.notes = form.notes;
         std::ranges::copy(m_notes, std::back_inserter(now.notes));
         if (m_divisions > 0)
@@ -259,6 +260,28 @@ private:
             form = divided(form.points, form.pieces, std::vector<bool>(form.pieces.size(), false),
                            [](FormSheet sheet) { return std::vector{std::move(sheet)}; });
         return closed;
+    }
+
+    /// Slits that went where pieces were divided and joined.
+    void sayWhatIsLost(const Form& form)
+    {
+        std::vector<std::pair<Vec3, Vec3>> borders;
+        for (const FormPiece& piece : form.pieces)
+            for (std::size_t k = 0; k < piece.border.size(); ++k)
+                borders.emplace_back(form.points[piece.points[piece.border[k]]],
+                                     form.points[piece.points[piece.border[piece.after(k)]]]);
+        for (const std::vector<Vec3>& row : m_cuts.edges) {
+            const Vec3 middle = (row.front() + row.back()) / 2;
+            const bool isThere = std::ranges::any_of(borders, [&](const auto& border) {
+                return segmentDistance<3>(middle, border.first, border.second) < onEdge;
+            });
+            if (isThere)
+                continue;
+            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "A line is not cut in at %1, where it would be in the "
+                                                            "way of the division. Draw it on to a border"),
+                               {placeText(middle)}});
+            return;
+        }
     }
 
     /// Pieces that would lie over themselves or be strained by more than `limit`; none when stopped.

@@ -274,9 +274,15 @@ private:
             return;
         }
         leadOn(runs, line);
-        for (LineRun& run : runs)
-            if (run.onEdges)
-                run.onEdges = m_sharp.cut(m_soup, run);
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            if (!runs[k].onEdges)
+                continue;
+            runs[k].onEdges = m_sharp.cut(m_soup, runs[k]);
+            if (k > 0)
+                runs[k - 1].places.back() = runs[k].places.front();
+            if (k + 1 < runs.size())
+                runs[k + 1].places.front() = runs[k].places.back();
+        }
         for (std::size_t k = 0; k < runs.size(); ++k) {
             const bool goesOn = line.closed && runs.size() > 1;
             if (!runs[k].onEdges)
@@ -591,6 +597,13 @@ private:
         std::vector<LinePlace> on;
         for (const Vec3& place : places)
             on.push_back(placeOf(place));
+        // On an edge the normal is that of either side, and what lies beyond it is of no account.
+        for (std::size_t k = 0; k < 2 && on.size() > 2; ++k) {
+            if (joined.first)
+                on[k].normal = on[2].normal;
+            if (joined.second)
+                on[on.size() - 1 - k].normal = on[on.size() - 3].normal;
+        }
         CgalMesh strip;
         std::vector<std::pair<Vertex, Vertex>> sections;
         for (std::size_t k = 0; k < on.size(); ++k) {

@@ -12,6 +12,7 @@ namespace bolster {
 namespace {
 
 constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
+constexpr double onePlace = 0.02;  // mm: a line that ends so near another one meets it
 constexpr double lowest = 0.01;    // height of a triangle, of its longest edge
 constexpr int roundsOfTidying = 6;
 constexpr double longestSpur = 14; // mm: what hangs over at the end of a line that was prolonged
@@ -174,6 +175,11 @@ bool LinedMesh::isOnLine(Vertex v) const
     return std::ranges::any_of(around, [&](auto half) { return cut[mesh.edge(half)]; });
 }
 
+bool LinedMesh::endsAt(Vertex v) const
+{
+    return !mesh.is_border(v) && cutsAt(v).size() == 1;
+}
+
 /// Of those edges of two triangles beside an edge that become one, one at most is held.
 bool LinedMesh::canCollapse(FormEdge e) const
 {
@@ -184,7 +190,8 @@ bool LinedMesh::canCollapse(FormEdge e) const
         if (!mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half))))
             return false;
     const bool bothHeld = (isOnLine(a) || mesh.is_border(a)) && (isOnLine(b) || mesh.is_border(b));
-    return isHeld(e) || !bothHeld;
+    const bool meetHere = lengthOf(e) < onePlace && (endsAt(a) || endsAt(b));
+    return isHeld(e) || !bothHeld || meetHere;
 }
 
 /// A line that passes close by a point goes through it. Whether there were such.

@@ -57,6 +57,7 @@ private:
     double heightOf(Vertex a, Vertex b, Vertex c) const;
     bool isHeld(FormEdge e) const;
     bool isOnLine(Vertex v) const;
+    bool endsAt(Vertex v) const;
     bool canCollapse(FormEdge e) const;
     std::vector<FormEdge> cutsAt(Vertex v) const;
     bool joinNearPoints();

@@ -22,7 +22,6 @@ constexpr double mostTurned = 30;  // degrees: if it has about its direction,
 constexpr double leastRun = 10;    // mm: for so long
 constexpr double mostAlong = 0.7;  // of its places: it turns at corners, where it is by two edges
 constexpr double onSegment = 0.02; // mm
-constexpr double onePoint = 0.4;   // mm
 
 double lengthOf(const std::vector<Vec3>& places)
 {
@@ -55,12 +54,18 @@ public:
                     link(a, b);
     }
 
-    /// The point at a place on one of the edges, which is divided there unless it has one; none where none is.
+    /// The point by a place on one of the edges, which is divided there unless it has one; none where none is.
     int pointAt(const Vec3& place)
     {
+        int nearest = -1;
+        double least = beside;
         for (const auto& [point, others] : m_beside)
-            if ((m_form.points[point] - place).norm() < onePoint)
-                return point;
+            if (const double distance = (m_form.points[point] - place).norm(); distance < least) {
+                least = distance;
+                nearest = point;
+            }
+        if (nearest >= 0)
+            return nearest;
         for (const auto& [a, others] : m_beside)
             for (const int b : others)
                 if (a < b && segmentDistance<3>(place, m_form.points[a], m_form.points[b]) < onSegment)
@@ -265,14 +270,18 @@ std::vector<SharpEdges::Segment> SharpEdges::segmentsBeside(const LineRun& run) 
     return segments;
 }
 
-bool SharpEdges::cut(TriangleSoup& form, const LineRun& run) const
+bool SharpEdges::cut(TriangleSoup& form, LineRun& run) const
 {
     EdgeGraph graph(form, segmentsBeside(run));
     std::vector<int> stations; // one after the other, also of a run that comes back to where it began
     constexpr std::size_t stages = 3;
     for (std::size_t k = 0; k <= stages; ++k)
         stations.push_back(graph.pointAt(run.places[k * (run.places.size() - 1) / stages]));
-    bool whole = std::ranges::count(stations, -1) == 0;
+    if (std::ranges::count(stations, -1) > 0)
+        return false;
+    run.places.front() = form.points[stations.front()];
+    run.places.back() = form.points[stations.back()];
+    bool whole = true;
     for (std::size_t k = 0; k < stages && whole; ++k)
         whole = graph.cutBetween(stations[k], stations[k + 1]);
     return whole;

@@ -27,8 +27,9 @@ public:
     /// Of a place that lies by a sharp edge.
     std::optional<Vec3> nearest(const Vec3& at) const;
 
-    /// Makes the edges along a run cuts; false where they do not hang together.
-    bool cut(TriangleSoup& form, const LineRun& run) const;
+    /// Makes the edges along a run cuts; false where they do not hang together. A run that ends by a point of the
+    /// form ends there afterwards.
+    bool cut(TriangleSoup& form, LineRun& run) const;
 
 private:
     using Segment = std::pair<Vec3, Vec3>;

@@ -371,5 +371,22 @@ TEST(Flatten, BluntCornersBetweenStraightLinesStayCorners)
     EXPECT_EQ(patch->outline.corners().size(), corners.size());
 }
 
+/// A dozen edges of 100 mm are what the form has; of a dozen of 5 mm a curve is as near as anyone sews.
+TEST(Flatten, CoarseOutlinesKeepTheirCorners)
+{
+    for (const auto& [radius, corners] : {std::pair(200.0, 12U), std::pair(10.0, 0U)}) {
+        const Form form = cutForm(ringMesh(radius, radius / 2, radius / 4, 12, 1), {});
+        const FormPattern made = formPattern(form, flatten(form, {}), {});
+        ASSERT_EQ(made.seams.size(), 1U);
+        const Patch* patch = made.design.find<Patch>(made.patches.front());
+        ASSERT_TRUE(patch);
+        double area = 0;
+        for (const FlatPiece& flat : flatten(form, {}))
+            area += flat.area;
+        EXPECT_GE(patch->outline.corners().size(), corners > 0 ? 26U : 4U) << radius;
+        EXPECT_NEAR(std::abs(patch->outline.signedArea()), area, (corners > 0 ? 0.003 : 0.05) * area) << radius;
+    }
+}
+
 } // namespace
 } // namespace bolster::test

@@ -165,6 +165,45 @@ TEST(FormCover, OfADomeStandsOnItsOutside)
         }
 }
 
+/// Walls that go around a rim lay anywhere to begin with, and came to stand below it or turned inside out.
+TEST(FormCover, OfTraysStandsOnItsOutside)
+{
+    const std::vector<std::vector<std::string>> plans{
+        {"x ", "xx"}, {"x x", "xxx"}, {"xxx", "x x", "xxx"}, {" x ", "xxx", " x "}};
+    for (const auto& plan : plans)
+        for (const double edge : {12.0, 20.0})
+            for (const double height : {60.0, 150.0}) {
+                const Form form = cutForm(trayMesh(plan, 120, height), {});
+                FormPatternOrder order;
+                order.edgeLength = edge;
+                const SolveResult solved = solveResting(formPattern(form, flatten(form, {}), order).design, {});
+                ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
+                const auto [lowest, highest] =
+                    std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
+                EXPECT_GT(lowest.z(), -1) << plan.front() << ", " << edge << ", " << height;
+                EXPECT_NEAR(highest.z(), height, 0.05 * height) << plan.front() << ", " << edge;
+                EXPECT_LT(solved.report.strain.rms, 0.06)
+                    << "bending rounds its edges; " << plan.front() << ", " << edge;
+            }
+}
+
+/// Also where the rim lies in no plane, and where what stands on it hangs down.
+TEST(FormCover, OfATrayOnAWavyRimStandsOnItsOutside)
+{
+    TriangleMesh tray = trayMesh({"xxx", "x x", "xxx"}, 200, 200);
+    for (Vec3& point : tray.points) {
+        point.z() += point.z() > 0 ? 0 : 40 * std::sin(point.x() / 90) + 30 * std::cos(point.y() / 120);
+        point = Vec3(point.x(), -point.y(), -point.z());
+    }
+    const Form form = cutForm(tray, {});
+    const SolveResult solved = solveResting(formPattern(form, flatten(form, {}), {}).design, {});
+    ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
+    const auto [lowest, highest] =
+        std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
+    EXPECT_NEAR(lowest.z(), -200, 10);
+    EXPECT_LT(highest.z(), 75);
+}
+
 TEST(FormCover, OfTheCarSeatLiesOnIt)
 {
     expectCoverOnForm(carSeatForm());

@@ -602,9 +602,71 @@ TEST(FormLines, DraftsGoOnFromWhatStays)
     }
 }
 
-/// Curves along the sharp edges of frames make cuts that go through themselves. CGAL came to no end with some of
+/// Drawn by hand, a little beside it now here and now there.
+FormLine byHand(const std::vector<Vec3>& corners, double beside)
+{
+    FormLine line{"Line", {}, false};
+    int step = 0;
+    for (std::size_t k = 1; k < corners.size(); ++k)
+        for (int i = 0; i <= 6; ++i, ++step)
+            line.points.emplace_back(corners[k - 1] + (corners[k] - corners[k - 1]) * i / 6 +
+                                     beside * Vec3(std::sin(step), std::sin(2.0 * step), std::cos(step)));
+    return line;
+}
+
+constexpr double boxSide = 300, boxHeight = 200; // mm
+
+/// It fell into crumbs on both sides of the edge.
+TEST(FormLines, AlongSharpEdgesAreCutOnThem)
+{
+    const std::vector<Vec3> rim{{0, 0, boxHeight},
+                                {boxSide, 0, boxHeight},
+                                {boxSide, boxSide, boxHeight},
+                                {0, boxSide, boxHeight},
+                                {0, 0, boxHeight}};
+    for (const double beside : {0.0, 0.3, 0.9}) {
+        FormCuts cuts;
+        cuts.groups = false;
+        cuts.lines = {byHand(rim, beside)};
+        for (const Vec3& corner : {rim[0], rim[1], rim[2], rim[3]})
+            cuts.lines.push_back(byHand({Vec3(corner.x(), corner.y(), -3), corner}, beside));
+        const Form form = cutForm(trayMesh({"x"}, boxSide, boxHeight), cuts);
+        ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+        for (const Message& note : form.notes)
+            ADD_FAILURE() << beside << ": " << note.english();
+        ASSERT_EQ(form.pieces.size(), 5U) << beside;
+        for (const FlatPiece& flat : flatten(form, {})) {
+            EXPECT_LT(flat.strainMost, 1e-6) << beside << ": cut on its edges a box is flat";
+            EXPECT_TRUE(std::abs(flat.area - boxSide * boxSide) < 1 ||
+                        std::abs(flat.area - boxSide * boxHeight) < 1)
+                << beside << ": " << flat.area;
+        }
+        expectSound(form);
+    }
+}
+
+/// Along an edge to its middle, and from there down a side.
+TEST(FormLines, MayLeaveSharpEdges)
+{
+    for (const double beside : {0.0, 0.3, 0.9}) {
+        FormCuts cuts;
+        cuts.groups = false;
+        const Vec3 middle(boxSide / 2, 0, boxHeight);
+        cuts.lines = {byHand({Vec3(0, -2, -1), Vec3(0, 0, boxHeight), middle, Vec3(middle.x(), 0, -1)}, beside)};
+        const Form form = cutForm(trayMesh({"x"}, boxSide, boxHeight), cuts);
+        ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+        EXPECT_TRUE(form.notes.empty()) << beside << ": " << form.notes.front().english();
+        ASSERT_EQ(form.pieces.size(), 2U) << beside;
+        std::vector<double> areas;
+        for (const FlatPiece& flat : flatten(form, {}))
+            areas.push_back(flat.area);
+        EXPECT_NEAR(std::ranges::min(areas), boxSide / 2 * boxHeight, 0.01 * boxSide * boxHeight) << beside;
+    }
+}
+
+/// Curves by the rounded edges of frames make cuts that go through themselves. CGAL came to no end with some of
 /// them, and crashed with others.
-TEST(FormLines, CurvesAlongSharpEdgesOfFramesAreLeftOut)
+TEST(FormLines, CurvesByRoundedEdgesOfFramesAreLeftOut)
 {
     const std::string folder = samplesFolder() + "/../templates/";
     for (const auto& [design, frame] :

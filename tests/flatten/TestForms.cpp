@@ -52,4 +52,45 @@ TriangleMesh ringMesh(double lower, double upper, double height, int columns, in
     });
 }
 
+TriangleMesh trayMesh(const std::vector<std::string>& plan, double side, double height)
+{
+    const auto isThere = [&](int x, int y) {
+        const int row = static_cast<int>(plan.size()) - 1 - y;
+        return row >= 0 && row < std::ssize(plan) && x >= 0 && x < std::ssize(plan[row]) && plan[row][x] != ' ';
+    };
+    TriangleMesh mesh;
+    const auto add = [&](const std::array<Vec3, 4>& square) {
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        for (const Vec3& corner : square)
+            mesh.points.emplace_back(side * corner.x(), side * corner.y(), height * corner.z());
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first, first + 2, first + 3});
+    };
+    const auto eachSquare = [&](const auto& visit) {
+        for (int y = 0; y < std::ssize(plan); ++y)
+            for (int x = 0; x < std::ssize(plan[plan.size() - 1 - y]); ++x)
+                if (isThere(x, y))
+                    visit(x, y);
+    };
+    eachSquare([&](int x, int y) {
+        add({Vec3(x, y, 1), Vec3(x + 1, y, 1), Vec3(x + 1, y + 1, 1), Vec3(x, y + 1, 1)});
+    });
+    const auto top = static_cast<std::uint32_t>(mesh.triangles.size());
+    const auto wall = [&](const Vec3& from, const Vec3& to) {
+        add({from, to, to + Vec3::UnitZ(), from + Vec3::UnitZ()});
+    };
+    eachSquare([&](int x, int y) {
+        if (!isThere(x, y - 1))
+            wall(Vec3(x, y, 0), Vec3(x + 1, y, 0));
+        if (!isThere(x + 1, y))
+            wall(Vec3(x + 1, y, 0), Vec3(x + 1, y + 1, 0));
+        if (!isThere(x, y + 1))
+            wall(Vec3(x + 1, y + 1, 0), Vec3(x, y + 1, 0));
+        if (!isThere(x - 1, y))
+            wall(Vec3(x, y + 1, 0), Vec3(x, y, 0));
+    });
+    mesh.parts = {{"Top", 0, top}, {"Side", top, static_cast<std::uint32_t>(mesh.triangles.size()) - top}};
+    return mesh;
+}
+
 } // namespace bolster::test

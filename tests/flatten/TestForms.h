@@ -4,6 +4,8 @@
 #include "TriangleMesh.h"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace bolster::test {
 
@@ -16,5 +18,8 @@ TriangleMesh sideBySide(const TriangleMesh& a, const TriangleMesh& b);
 TriangleMesh halfPipe(double radius, double height, int columns = 60, int rows = 24);
 /// A ring around the z axis, open above and below, a cone when the radii differ.
 TriangleMesh ringMesh(double lower, double upper, double height, int columns = 90, int rows = 16);
+/// A body open below, on z = 0, with walls of `height` mm, of which each is two triangles: parts "Top" and "Side".
+/// The plan is rows of squares of `side` mm, the farthest first; what is no blank belongs to it.
+TriangleMesh trayMesh(const std::vector<std::string>& plan, double side, double height);
 
 } // namespace bolster::test
