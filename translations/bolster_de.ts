@@ -6049,6 +6049,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>Eine Linie wird bei %1 nicht eingeschnitten: Die Seiten des Schnitts lägen flach übereinander. Zeichnen Sie sie anderswo oder weiter bis zu einem Rand</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>Eine Linie wird bei %1 nicht eingeschnitten: das Teil wurde anders geteilt. Ziehen Sie sie bis an einen Rand</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9739,10 +9743,6 @@
             <numerusform>%n Nähte, deren Seiten gleich lang sind</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel), %3 an der stärksten Stelle</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9787,6 +9787,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>Mit kürzeren Netzkanten werden auch kleinere Teile geteilt.</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel), %3 auf 99 % der Fläche, %4 an der stärksten Stelle</translation>
     </message>
 </context>
 <context>

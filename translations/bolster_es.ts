@@ -6049,6 +6049,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>En %1 no se corta una línea: los lados del corte quedarían uno sobre otro en plano. Dibújela en otro sitio, o hasta un borde</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>En %1 no se corta una línea: la pieza se dividió de otro modo. Prolónguela hasta un borde</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9739,10 +9743,6 @@
             <numerusform>%n costuras, cuyos lados miden lo mismo</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>La más deformada: %1, %2 (RMS), %3 donde es máximo</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9787,6 +9787,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>Con aristas de malla más cortas también se dividen piezas más pequeñas.</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>La más deformada: %1, %2 (RMS), %3 en el 99 % de su superficie, %4 donde es máximo</translation>
     </message>
 </context>
 <context>

@@ -6049,6 +6049,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>Une ligne n’est pas entaillée en %1&#x202f;: à plat, les côtés de l’entaille se recouvriraient. Tracez-la ailleurs, ou jusqu’à une bordure</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>Une ligne n’est pas entaillée en %1&#x202f;: la pièce a été divisée autrement. Prolongez-la jusqu’à une bordure</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9739,10 +9743,6 @@
             <numerusform>%n coutures, dont les côtés sont de même longueur</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>La plus déformée&#x202f;: %1, %2 (RMS), %3 au plus fort</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9787,6 +9787,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>Avec des arêtes de maillage plus courtes, des pièces plus petites sont divisées aussi.</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>La plus déformée&#x202f;: %1, %2 (RMS), %3 sur 99 % de sa surface, %4 au plus fort</translation>
     </message>
 </context>
 <context>

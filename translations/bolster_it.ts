@@ -6049,6 +6049,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>Una linea non viene incisa in %1: in piano i lati del taglio si sovrapporrebbero. La disegni altrove, o fino a un bordo</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>Una linea non viene incisa in %1: il pezzo è stato diviso diversamente. La prolunghi fino a un bordo</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9739,10 +9743,6 @@
             <numerusform>%n cuciture, i cui lati sono ugualmente lunghi</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>Più deformato: %1, %2 (rms), %3 dove è massimo</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9787,6 +9787,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>Con spigoli della mesh più corti si dividono anche pezzi più piccoli.</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Più deformato: %1, %2 (rms), %3 sul 99 % della sua area, %4 dove è massimo</translation>
     </message>
 </context>
 <context>

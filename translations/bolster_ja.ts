@@ -6045,6 +6045,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>%1 では線を切り込みません。平らにすると切り込みの両側が重なります。別の場所に引くか、境界まで延ばしてください</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>%1 では線を切り込みません。パーツが別の形に分割されました。境界まで延ばしてください</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9716,10 +9720,6 @@
             <numerusform>縫い目 %n 本、両側は同じ長さ</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>最大ひずみ: %1、%2 (RMS)、最大の所で %3</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9761,6 +9761,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>メッシュの辺を短くすると、より小さなパーツも分割されます。</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>最大ひずみ: %1、%2 (RMS)、面積の 99 % で %3 以内、最大の所で %4</translation>
     </message>
 </context>
 <context>

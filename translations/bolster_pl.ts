@@ -6053,6 +6053,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>W %1 linia nie jest nacięta: po rozłożeniu boki nacięcia zachodziłyby na siebie. Narysuj ją gdzie indziej albo aż do brzegu</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>W %1 linia nie jest nacięta: element podzielono inaczej. Poprowadź ją aż do brzegu</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9762,10 +9766,6 @@
             <numerusform>%n szwów, strony są równej długości</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>Najbardziej odkształcony: %1, %2 (RMS), %3 w najgorszym miejscu</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9813,6 +9813,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>Przy krótszych krawędziach siatki dzielone są też mniejsze elementy.</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Najbardziej odkształcony: %1, %2 (RMS), %3 na 99 % powierzchni, %4 w najgorszym miejscu</translation>
     </message>
 </context>
 <context>

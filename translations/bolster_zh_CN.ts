@@ -6045,6 +6045,10 @@
         <source>A line is not cut in at %1: the sides of the cut would lie over each other when it is laid flat. Draw it elsewhere, or on to a border</source>
         <translation>%1 处的线未切开：展平后切口两侧会相互重叠。请画在别处，或延长至边界</translation>
     </message>
+    <message>
+        <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
+        <translation>%1 处的线未切开：样片已按其他方式分割。请延长至边界</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>
@@ -9716,10 +9720,6 @@
             <numerusform>%n 条接缝，两侧等长</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 where it is most</source>
-        <translation>应变最大：%1，%2（均方根），最大处 %3</translation>
-    </message>
     <message numerus="yes">
         <source>These cannot be laid flat either: %1 and %n more</source>
         <translation>
@@ -9761,6 +9761,10 @@
     <message>
         <source>With shorter mesh edges smaller pieces are divided, too.</source>
         <translation>网格边更短时，更小的样片也会被分割。</translation>
+    </message>
+    <message>
+        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>应变最大：%1，%2（均方根），99 % 面积内 %3，最大处 %4</translation>
     </message>
 </context>
 <context>

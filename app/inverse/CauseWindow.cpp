@@ -3,7 +3,6 @@
 #include "DesignSession.h"
 #include "ElementText.h"
 #include "FitGoals.h"
-#include "FormChoice.h"
 #include "HeadedList.h"
 #include "PullNote.h"
 #include "RunRow.h"
@@ -29,8 +28,8 @@ namespace {
 
 constexpr std::size_t shownCauses = 12;
 constexpr std::size_t namedAlike = 3;
-constexpr double hardlyAny = 0.005;         // of the deviation, or of all that is likely
-constexpr double shareOfDerivatives = 0.85; // of the time that it takes
+constexpr double hardlyAny = 0.005;        // of the deviation, or of all that is likely
+constexpr double shareOfDerivatives = 0.6; // of the time that it takes
 
 QString kindText(Cause::Kind kind)
 {
@@ -151,11 +150,13 @@ std::vector<std::size_t> rowsOf(const Explanations& explained)
 
 } // namespace
 
-CauseWindow::CauseWindow(DesignSession& session, Selection& selection, QWidget* parent)
+CauseWindow::CauseWindow(DesignSession& session, Selection& selection, std::shared_ptr<CauseMemory> remembered,
+                         QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_selection(selection)
+    , m_remembered(std::move(remembered))
     , m_job([this](const Wanted& wanted,
                    const std::stop_token& stop) { return explain(wanted, m_run->sharesOf(wanted.number), stop); },
             [this](Found found) { take(std::move(found)); })
@@ -163,6 +164,10 @@ CauseWindow::CauseWindow(DesignSession& session, Selection& selection, QWidget* 
     setWindowTitle(tr("Why is it so?"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
+    m_scan->choose(m_remembered->scan);
+    m_sound->choose(m_remembered->sound);
+    if (m_remembered->found)
+        show(*m_remembered->found);
     connect(&m_document, &Document::changed, this, &CauseWindow::documentChanged);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
 }
@@ -170,6 +175,7 @@ CauseWindow::CauseWindow(DesignSession& session, Selection& selection, QWidget* 
 CauseWindow::~CauseWindow()
 {
     m_job.cancel();
+    *m_remembered = {m_scan->chosen(), m_sound->chosen(), std::move(m_found)};
 }
 
 void CauseWindow::build()
@@ -230,7 +236,8 @@ CauseWindow::Found CauseWindow::explain(const Wanted& wanted, const std::functio
         if (!finder.nominal() || stop.stop_requested())
             return found;
         found.causes = finder.causes();
-        found.explained = finder.explain(scan, sound, stop);
+        const auto solving = [&](double share) { progress(shareOfDerivatives + (1 - shareOfDerivatives) * share); };
+        found.explained = finder.explain(scan, sound, solving, stop);
         WorkerPool pool(0);
         found.toNearest = measureScan(*finder.nominal(), scan.place, scan.index, pool).figures.rms;
     } catch (const std::exception& error) {
@@ -276,6 +283,11 @@ void CauseWindow::take(Found found)
         m_said->setText(translated(found.problem));
         return;
     }
+    show(std::move(found));
+}
+
+void CauseWindow::show(Found found)
+{
     m_found = std::move(found);
     m_rows = rowsOf(m_found->explained);
     say();

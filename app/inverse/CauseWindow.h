@@ -4,11 +4,13 @@
 #include "CauseFinder.h"
 #include "Document.h"
 #include "FitForm.h"
+#include "FormChoice.h"
 #include "LatestJob.h"
 #include "Selection.h"
 
 #include <QDialog>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,14 +20,17 @@ class QTreeWidget;
 namespace bolster {
 
 class DesignSession;
-class FormChoice;
 class RunRow;
+
+struct CauseMemory;
 
 class CauseWindow : public QDialog {
     Q_OBJECT
 
 public:
-    CauseWindow(DesignSession& session, Selection& selection, QWidget* parent = nullptr);
+    /// Begins as `remembered` says, which says then how it was when it was closed.
+    CauseWindow(DesignSession& session, Selection& selection, std::shared_ptr<CauseMemory> remembered,
+                QWidget* parent = nullptr);
     ~CauseWindow() override;
 
     struct Found {
@@ -53,6 +58,7 @@ private:
     void find();
     void stop();
     void take(Found found);
+    void show(Found found);
     void fill();
     void say();
     void rowChosen();
@@ -61,6 +67,7 @@ private:
     DesignSession& m_session;
     Document& m_document;
     Selection& m_selection;
+    std::shared_ptr<CauseMemory> m_remembered;
 
     FormChoice *m_scan = nullptr, *m_sound = nullptr;
     RunRow* m_run = nullptr;
@@ -71,6 +78,12 @@ private:
     std::optional<Found> m_found;
     std::vector<std::size_t> m_rows; ///< which of those that are ranked; the list has the first of them
     LatestJob<Wanted, Found> m_job;  ///< last: it uses the others
+};
+
+/// What was found, and of which scans: it is there again when the window is.
+struct CauseMemory {
+    FormChoice::Chosen scan, sound;
+    std::optional<CauseWindow::Found> found;
 };
 
 } // namespace bolster

@@ -109,6 +109,26 @@ FormPatternJob::withFewTriangles(const std::shared_ptr<const TriangleMesh>& mesh
     return m_thinned.mesh;
 }
 
+Form FormPatternJob::cutAndDivided(const std::shared_ptr<const TriangleMesh>& mesh, const FormCuts& cuts,
+                                   const FormWanted& wanted, const std::stop_token& stop)
+{
+    constexpr std::size_t mostKept = 4;
+    const FormPatternOrder& order = wanted.order;
+    const auto known = std::ranges::find_if(m_divided, [&](const Divided& one) {
+        return one.of == mesh && one.cuts == cuts && one.fabric == order.fabric &&
+               one.edgeLength == order.edgeLength;
+    });
+    if (known != m_divided.end())
+        return known->form;
+    Form form = divided(cutForm(*mesh, cuts, stop), order, stop, wanted.progress);
+    if (stop.stop_requested())
+        return form;
+    if (m_divided.size() == mostKept)
+        m_divided.erase(m_divided.begin());
+    m_divided.push_back({mesh, cuts, order.fabric, order.edgeLength, form});
+    return form;
+}
+
 FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& stop)
 {
     FormMade made;
@@ -136,9 +156,8 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         mesh = withFewTriangles(mesh, cuts, notes, stop);
         if (!mesh)
             return made;
-        made.form = cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
-        if (wanted.divide && !wanted.draft)
-            made.form = divided(made.form, wanted.order, stop, wanted.progress);
+        made.form = cuts.divides ? cutAndDivided(mesh, cuts, wanted, stop)
+                                 : cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
         made.form.notes.insert(made.form.notes.begin(), notes.begin(), notes.end());
         made.problem = made.form.problem;
         if (!wanted.mesh && !m_form.warning.empty())

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace bolster {
 
@@ -75,6 +76,15 @@ private:
         std::vector<Message> notes;
     };
 
+    /// What took long, and is asked for again when who tries things goes back.
+    struct Divided {
+        std::shared_ptr<const TriangleMesh> of;
+        FormCuts cuts;
+        Fabric fabric;
+        double edgeLength = 0;
+        Form form;
+    };
+
     static FileState stateOf(const QString& path);
     Message read(const QString& path, const Box3& there, const std::stop_token& stop);
     Message readEdges(const QString& path, const std::stop_token& stop);
@@ -83,9 +93,13 @@ private:
                                                          const FormCuts& cuts, std::vector<Message>& notes,
                                                          const std::stop_token& stop);
 
+    Form cutAndDivided(const std::shared_ptr<const TriangleMesh>& mesh, const FormCuts& cuts,
+                       const FormWanted& wanted, const std::stop_token& stop);
+
     FormOfFile m_form;
     EdgesOfFile m_edges;
     Thinned m_thinned;
+    std::vector<Divided> m_divided; ///< the last one last
     std::shared_ptr<FormDraft> m_draft = newFormDraft();
 };
 

@@ -293,6 +293,7 @@ QWidget* FormPatternWindow::buildWishes()
                              "nothing else. One Undo brings them back."));
     m_replace->hide();
     rows->addWidget(m_replace);
+    connect(m_replace, &QCheckBox::toggled, this, &FormPatternWindow::sayWhatIsFreed);
     m_replaceNote = new QLabel(wishes);
     m_replaceNote->setWordWrap(true);
     m_replaceNote->hide();
@@ -708,8 +709,14 @@ void FormPatternWindow::offerToReplace()
     const auto left = std::ranges::count_if(free, [&](ElementId curve) { return !held.contains(curve); });
     m_replace->setVisible(count > 0);
     m_replace->setText(tr("&Replace the %n patches of these names", nullptr, static_cast<int>(count)));
-    m_replaceNote->setText(tr("(%n curves that hold them will hold nothing)", nullptr, static_cast<int>(left)));
-    m_replaceNote->setVisible(left > 0);
+    m_freed = static_cast<int>(left);
+    sayWhatIsFreed();
+}
+
+void FormPatternWindow::sayWhatIsFreed()
+{
+    m_replaceNote->setText(tr("(%n curves that hold them will hold nothing)", nullptr, m_freed));
+    m_replaceNote->setVisible(m_freed > 0 && !m_replace->isHidden() && m_replace->isChecked());
 }
 
 void FormPatternWindow::say()
@@ -722,7 +729,7 @@ void FormPatternWindow::say()
     if (m_made->size)
         lines << tr("The form is taken as %1 large. If that is wrong, import the file as a frame.")
                      .arg(sizesText({m_made->size->x(), m_made->size->y(), m_made->size->z()}, 0));
-    double most = 0, mostAnywhere = 0, widest = 0;
+    double most = 0, rms = 0, mostAnywhere = 0, widest = 0;
     std::string where;
     int over = 0;
     int whole = 0;                                                   // pieces that are not left out
@@ -731,10 +738,11 @@ void FormPatternWindow::say()
         if (patches[p] == noElement)
             continue;
         ++whole;
-        if (m_made->flat[p].strainRms > most) {
-            most = m_made->flat[p].strainRms;
+        if (const FlatPiece& flat = m_made->flat[p]; flat.strainP99 > most) {
+            most = flat.strainP99;
+            rms = flat.strainRms;
+            mostAnywhere = flat.strainMost;
             where = m_made->form.pieces[p].name;
-            mostAnywhere = m_made->flat[p].strainMost;
         }
         over += m_made->flat[p].strainP99 > bearableStrain(fabric());
     }
@@ -753,11 +761,14 @@ void FormPatternWindow::say()
         lines << translated(notes[k]);
     if (told < notes.size())
         lines << tr("and %n more are left out, too", nullptr, static_cast<int>(notes.size() - told));
+    for (const Message& note : m_made->form.notes)
+        lines << translated(note);
     for (const Message& note : m_made->pattern.advice)
         lines << translated(note);
     if (!where.empty())
-        lines << tr("Most strained: %1, %2 (rms), %3 where it is most")
-                     .arg(QString::fromStdString(where), percentText(most), percentText(mostAnywhere));
+        lines << tr("Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most")
+                     .arg(isolated(QString::fromStdString(where)), percentText(rms), percentText(most),
+                          percentText(mostAnywhere));
     sayCover(lines);
     if (over > 0)
         lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
@@ -777,8 +788,6 @@ void FormPatternWindow::say()
         lines << tr("With shorter mesh edges smaller pieces are divided, too.");
     if (!m_divide->isChecked() && (over > 0 || !notes.empty()))
         lines << tr("A mark at \"where it would not lie flat\" finds where to divide them.");
-    for (const Message& note : m_made->form.notes)
-        lines << translated(note);
     m_said->setText(lines.join('\n'));
 }
 

@@ -81,6 +81,7 @@ private:
     void sayProblem();
     void showOnForm();
     void offerToReplace();
+    void sayWhatIsFreed();
     void solveCover();
     void sayCover(QStringList& lines) const;
     void make();
@@ -117,6 +118,7 @@ private:
     std::shared_ptr<const FormMade> m_made;
     std::optional<FormCover> m_cover; ///< of what was made, when it is known
     bool m_solving = false;           ///< it will be
+    int m_freed = 0;                  ///< curves that hold nothing when patches are replaced
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
     bool m_drafted = false;                ///< what was asked for last was a draft

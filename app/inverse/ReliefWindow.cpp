@@ -41,12 +41,14 @@ QString rmsText(double energy)
 
 } // namespace
 
-ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, QWidget* parent)
+ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverView& view,
+                           std::shared_ptr<ReliefMemory> remembered, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_selection(selection)
     , m_view(view)
+    , m_remembered(std::move(remembered))
     , m_job(
           [this](const ReliefWanted& wanted, const std::stop_token& stop) {
               return findReliefs(
@@ -69,6 +71,7 @@ ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverVi
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     keepEnterInNumbers(*this);
+    recall();
     connect(&m_document, &Document::changed, this, &ReliefWindow::documentChanged);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
 }
@@ -76,6 +79,22 @@ ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverVi
 ReliefWindow::~ReliefWindow()
 {
     m_job.cancel();
+    *m_remembered = {m_ownLimit->isChecked(), m_limit->value(),   m_most->value(),
+                     std::move(m_start),      std::move(m_found), std::move(m_made)};
+}
+
+void ReliefWindow::recall()
+{
+    if (!(m_remembered->most > 0))
+        return;
+    m_ownLimit->setChecked(m_remembered->ownLimit);
+    m_limit->display(m_remembered->limit);
+    m_most->display(m_remembered->most);
+    m_start = m_remembered->start;
+    m_found = m_remembered->found;
+    m_made = m_remembered->made;
+    m_aside = true;
+    documentChanged();
 }
 
 void ReliefWindow::build()

@@ -20,11 +20,22 @@ class DesignSession;
 class NumberBox;
 class RunRow;
 
+/// What was found, and how it was asked for: it is there again when the window is.
+struct ReliefMemory {
+    bool ownLimit = false;
+    double limit = 0, most = 0; ///< nothing is remembered when they are zero
+    Design start;
+    std::optional<ReliefFound> found;
+    std::optional<Design> made;
+};
+
 class ReliefWindow : public QDialog {
     Q_OBJECT
 
 public:
-    ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, QWidget* parent = nullptr);
+    /// Begins as `remembered` says, which says then how it was when it was closed.
+    ReliefWindow(DesignSession& session, Selection& selection, CoverView& view,
+                 std::shared_ptr<ReliefMemory> remembered, QWidget* parent = nullptr);
     ~ReliefWindow() override;
 
     /// Of the last search, as long as they are of the design as it is.
@@ -33,6 +44,7 @@ public:
 private:
     void build();
     QWidget* buildOrder();
+    void recall();
     void find();
     void stop();
     void take(ReliefFound found);
@@ -48,6 +60,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     CoverView& m_view;
+    std::shared_ptr<ReliefMemory> m_remembered;
 
     QCheckBox* m_ownLimit = nullptr;
     NumberBox *m_limit = nullptr, *m_most = nullptr;

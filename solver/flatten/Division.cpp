@@ -277,8 +277,8 @@ private:
             });
             if (isThere)
                 continue;
-            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "A line is not cut in at %1, where it would be in the "
-                                                            "way of the division. Draw it on to a border"),
+            m_notes.push_back({QT_TRANSLATE_NOOP("Message", "A line is not cut in at %1: the piece was divided "
+                                                            "another way. Draw it on to a border"),
                                {placeText(middle)}});
             return;
         }

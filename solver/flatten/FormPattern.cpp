@@ -445,7 +445,9 @@ private:
         std::string names;
         for (std::size_t k = 0; k < std::min(pieces.size(), mostNamed); ++k)
             names.append(k > 0 ? ", " : "").append(piece(pieces[k]).name);
-        return pieces.size() > mostNamed ? names + " ..." : names;
+        if (pieces.size() > mostNamed)
+            names.append(" (+").append(std::to_string(pieces.size() - mostNamed)).append(")");
+        return names;
     }
 
     /// Where shorter edges would make more of the cover than is convenient, they are no advice.

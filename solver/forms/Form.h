@@ -33,6 +33,8 @@ struct FormCuts {
     std::vector<std::vector<Vec3>> edges = {};
     double onEdges = 0.05; ///< mm: how far from its row such an edge may lie; samples of CAD curves lie within 0.02
     bool divides = false;  ///< it will be divided: splinters, which lean anywhere, are mended as beside lines
+
+    friend bool operator==(const FormCuts&, const FormCuts&) = default;
 };
 
 /// The other side of an edge that is cut; none at the form's border.

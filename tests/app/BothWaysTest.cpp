@@ -909,6 +909,15 @@ TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
     ASSERT_TRUE(dialog->found()) << "it is the one again that they were found for";
     EXPECT_FALSE(says("Made."));
     EXPECT_TRUE(says("of the cover, then")) << "how much there is, not only by how much it becomes less";
+    const std::size_t proposed = dialog->found()->reliefs.size();
+    dialog->close();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.findChild<ReliefWindow*>(); }, 10000));
+    designer.choose({"Pattern", "Relieve strain"});
+    dialog = window.findChild<ReliefWindow*>();
+    ASSERT_TRUE(dialog && dialog->found()) << "closed and opened again it shows what was found";
+    EXPECT_EQ(dialog->found()->reliefs.size(), proposed);
+    EXPECT_TRUE(dialog->findChild<QCheckBox*>()->isChecked());
+    takeKeyboard(*dialog);
     pressIn(*dialog, "Make it");
     EXPECT_EQ(writeDesign(design()), writeDesign(wanted));
     expectUndone(*dialog, before);
@@ -960,6 +969,12 @@ TEST_F(BothWaysTest, TheCauseOfAScannedPieceIsNamed)
     pressIn(*dialog, "Stop");
     EXPECT_TRUE(dialog->found().has_value());
     EXPECT_EQ(list->topLevelItemCount(), causesListed) << "what took long is not thrown away";
+    dialog->close();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.findChild<CauseWindow*>(); }, 10000));
+    designer.choose({"Pattern", "Why is it so?"});
+    dialog = window.findChild<CauseWindow*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(dialog->findChild<QTreeWidget*>()->topLevelItemCount(), causesListed) << "nor when it is closed";
     dialog->close();
 }
 

@@ -551,7 +551,7 @@ void printCancelling(const std::vector<Real>& covers)
         print("causes", real.name, stopAtShares([&](const std::stop_token& stop) {
                   CauseFinder finder(real.input, {}, {}, stop);
                   if (!stop.stop_requested())
-                      finder.explain(order.goals.target, {}, stop);
+                      finder.explain(order.goals.target, {}, {}, stop);
               }));
         print("tolerances", real.name, stopAtShares([&](const std::stop_token& stop) {
                   Tolerances tolerances;

@@ -53,6 +53,8 @@ InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     , m_formWishes(std::make_shared<FormPatternWishes>())
     , m_fitWishes(std::make_shared<FitWishes>())
     , m_sweepWishes(std::make_shared<SweepWishes>())
+    , m_reliefs(std::make_shared<ReliefMemory>())
+    , m_causes(std::make_shared<CauseMemory>())
 {
     addCommands(commands);
     // What was wished for another design, by a window that is about to close, too, is of no use for this one.
@@ -61,6 +63,8 @@ InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
         m_formWishes = std::make_shared<FormPatternWishes>();
         m_fitWishes = std::make_shared<FitWishes>();
         m_sweepWishes = std::make_shared<SweepWishes>();
+        m_reliefs = std::make_shared<ReliefMemory>();
+        m_causes = std::make_shared<CauseMemory>();
     });
 }
 
@@ -102,7 +106,8 @@ void InverseCommands::addCommands(Commands& commands)
          .enabled = anyPatch,
          .does = [this] {
              show(m_relief, [this] {
-                 return new ReliefWindow(m_parts.session, m_parts.selection, m_parts.cover, &m_parts.window);
+                 return new ReliefWindow(m_parts.session, m_parts.selection, m_parts.cover, m_reliefs,
+                                         &m_parts.window);
              });
          }});
     commands.add({.id = "pattern.explain",
@@ -112,8 +117,9 @@ void InverseCommands::addCommands(Commands& commands)
                   .places = {"pattern/6"},
                   .enabled = anyPatch,
                   .does = [this] {
-                      show(m_cause,
-                           [this] { return new CauseWindow(m_parts.session, m_parts.selection, &m_parts.window); });
+                      show(m_cause, [this] {
+                          return new CauseWindow(m_parts.session, m_parts.selection, m_causes, &m_parts.window);
+                      });
                   }});
     commands.add({.id = "pattern.tolerances",
                   .text = tr("Tolerances \u2026"),

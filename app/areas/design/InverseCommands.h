@@ -22,6 +22,8 @@ class MapLink;
 class PatternView;
 class Selection;
 class SolverLink;
+struct CauseMemory;
+struct ReliefMemory;
 struct SweepWishes;
 
 class InverseCommands : public QObject {
@@ -52,6 +54,8 @@ private:
     std::shared_ptr<FormPatternWishes> m_formWishes; ///< of the design that is open
     std::shared_ptr<FitWishes> m_fitWishes;          ///< likewise
     std::shared_ptr<SweepWishes> m_sweepWishes;      ///< likewise
+    std::shared_ptr<ReliefMemory> m_reliefs;         ///< likewise
+    std::shared_ptr<CauseMemory> m_causes;           ///< likewise
     std::unique_ptr<QObject> m_viewOfStep;           ///< of the last pattern that was made of a form
     QPointer<QDialog> m_form, m_fit, m_relief, m_cause, m_sweep;
 };

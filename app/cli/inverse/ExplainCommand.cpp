@@ -174,7 +174,10 @@ int explain(std::span<const std::string> words)
             interrupt.token());
         if (finder->nominal()) {
             line.say("causes");
-            found = finder->explain(scan, sound, interrupt.token());
+            const auto solving = [&](double share) {
+                line.say("causes, " + numberText(std::floor(100 * share), 3) + " %");
+            };
+            found = finder->explain(scan, sound, solving, interrupt.token());
         }
     }
     if (interrupt.token().stop_requested())

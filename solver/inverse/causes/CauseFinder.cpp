@@ -12,6 +12,7 @@ namespace bolster {
 
 namespace {
 
+constexpr double usualSteps = 1.5; // of a cause, until it gets no likelier
 constexpr double independent = 40; // mm: noise of nearer places, and what no cause explains, is alike
 constexpr double fewestPlaces = 10;
 constexpr double leastNoise = 0.05; // mm
@@ -91,12 +92,13 @@ struct Candidate {
 class CandidateSolver {
 public:
     CandidateSolver(Sweep& sweep, const std::vector<Cause>& causes, const CauseEvidence& evidence,
-                    const Measured& measured, const FitTarget& scan)
+                    const Measured& measured, const FitTarget& scan, std::function<void(int)> news)
         : m_sweep(sweep)
         , m_causes(causes)
         , m_evidence(evidence)
         , m_measured(measured)
         , m_scan(scan)
+        , m_news(std::move(news))
     {}
 
     /// Step by step, as long as a step makes a cause notably likelier.
@@ -159,6 +161,8 @@ private:
         for (std::size_t k = 0; k < candidates.size(); ++k)
             if (covers[k])
                 take(*candidates[k], tried[k], *covers[k]);
+        m_solved += static_cast<int>(candidates.size());
+        m_news(m_solved);
     }
 
     void take(Candidate& candidate, const Eigen::VectorXd& tried, const SurfaceMesh& cover) const
@@ -183,6 +187,8 @@ private:
     const CauseEvidence& m_evidence;
     const Measured& m_measured;
     const FitTarget& m_scan;
+    std::function<void(int)> m_news; // covers so far
+    int m_solved = 0;
 };
 
 std::vector<Candidate> candidatesOf(const CauseEvidence& evidence)
@@ -293,7 +299,8 @@ CauseFinder::CauseFinder(const SolveInput& input, const ExplainOrder& order,
         m_linear = m_sweep.linear(progress, stop);
 }
 
-Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound, const std::stop_token& stop)
+Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
+                                  const std::function<void(double)>& progress, const std::stop_token& stop)
 {
     Explanations result;
     const ScanField field = fieldOf(*nominal(), scan);
@@ -324,7 +331,10 @@ Explanations CauseFinder::explain(const FitTarget& scan, const FitTarget& sound,
         return result;
     result.noise = evidence.noise();
     std::vector<Candidate> candidates = candidatesOf(evidence);
-    CandidateSolver solver(m_sweep, m_causes, evidence, measured, scan);
+    CandidateSolver solver(m_sweep, m_causes, evidence, measured, scan, [&](int covers) {
+        if (progress)
+            progress(1 - std::pow(0.5, covers / (usualSteps * m_solved)));
+    });
     // Cloth that gets slack does not do what derivatives say: where the best one leaves much, more are looked at.
     std::size_t looked = 0;
     for (int round = 1; round <= mostLooks && !stop.stop_requested(); ++round) {

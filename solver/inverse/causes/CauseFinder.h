@@ -59,7 +59,9 @@ public:
     /// Bayes for one cause at a time: normal priors, white noise whose size is what all causes together leave. The
     /// best are solved and step once more from there. `sound`: the scan of a piece that is as it should be, when
     /// there is one: what covers get wrong is no cause. Nothing is ranked when the scan shows nothing of the cover.
-    Explanations explain(const FitTarget& scan, const FitTarget& sound = {}, const std::stop_token& stop = {});
+    /// How much there is to be solved shows on the way: `progress` goes towards 1 by less and less.
+    Explanations explain(const FitTarget& scan, const FitTarget& sound = {},
+                         const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 
 private:
     std::vector<Cause> m_causes;
