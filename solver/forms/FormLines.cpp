@@ -14,6 +14,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace bolster {
@@ -133,6 +134,7 @@ public:
                 m_lines.push_back(line);
                 m_places.push_back(placesOf(line));
             }
+        m_isCut.assign(m_lines.size(), false);
     }
 
     bool whole() const { return m_whole; }
@@ -145,6 +147,7 @@ public:
     {
         m_soup = soup;
         m_notes = notes;
+        m_isCut.assign(m_lines.size(), true);
     }
 
     void cut(const FormLine& line, const std::stop_token& stop)
@@ -156,7 +159,7 @@ public:
         }
         m_current = static_cast<std::size_t>(std::ranges::find(m_lines, line) - m_lines.begin());
         for (std::size_t k = 0; k < m_current; ++k)
-            if (runsAlong(line, m_lines[k])) {
+            if (m_isCut[k] && runsAlong(line, m_lines[k])) {
                 m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2, at %3: it is cut there once"),
                                    {line.name, m_lines[k].name, middleOf(line)}});
                 return;
@@ -167,6 +170,7 @@ public:
                 {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form, or where it is cut anyway, "
                                               "at %2: there is nothing to cut"),
                  {line.name, middleOf(line)}});
+        m_isCut[m_current] = !parts.empty();
         for (const FormLine& part : parts)
             cutPart(part, stop);
     }
@@ -347,6 +351,7 @@ private:
                     true));
         } catch (const Pmp::Corefinement::Self_intersection_exception&) {
             m_notes.push_back(whyNotCut(line, strip, near.mesh));
+            m_isCut[m_current] = false;
             return;
         }
         near.tidy(); // the next line meets whole triangles
@@ -385,13 +390,15 @@ private:
         return {near, (b - a).cross(c - a).normalized(), (at - near).norm()};
     }
 
-    /// Whether a place lies beside the form, outside of its border.
+    /// Whether a place lies beside the form, outside of its border or of a sharp edge.
     bool isBeyond(const Vec3& at) const
     {
         constexpr double beside = 0.05, same = 1e-6; // mm
         const auto [place, face] = faceNear(at);
         if ((place - at).norm() < beside)
             return false;
+        if (const std::optional<Vec3> edge = m_sharp.nearest(place); edge && (*edge - place).norm() < same)
+            return true;
         const Kernel::Point_3 near = toCgal(place);
         for (const auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(face))) {
             const Kernel::Point_3 &a = m_form.mesh.point(m_form.mesh.source(half)),
@@ -590,6 +597,24 @@ private:
             places.push_back(behind);
     }
 
+    /// A ribbon that ends on a sharp edge stands there as it does before: the normal on the edge is that of either
+    /// side, and what lies beyond it is of no account.
+    void settleEnd(std::span<LinePlace> on) const
+    {
+        constexpr double same = 0.01; // mm
+        constexpr std::size_t most = 4;
+        const auto isOnEdge = [&](const LinePlace& place) {
+            const std::optional<Vec3> edge = m_sharp.nearest(place.at);
+            return edge && (*edge - place.at).norm() < same;
+        };
+        std::size_t inside = on.size() > 1 && isOnEdge(on[1]) ? 1 : 0;
+        while (inside < std::min(on.size(), most) && isOnEdge(on[inside]))
+            ++inside;
+        if (inside < std::min(on.size(), most))
+            for (std::size_t k = 0; k < inside; ++k)
+                on[k].normal = on[inside].normal;
+    }
+
     CgalMesh ribbonAlong(const FormLine& line, const Joined& joined) const
     {
         std::vector<Vec3> places = evenly(line, m_spacing);
@@ -597,13 +622,10 @@ private:
         std::vector<LinePlace> on;
         for (const Vec3& place : places)
             on.push_back(placeOf(place));
-        // On an edge the normal is that of either side, and what lies beyond it is of no account.
-        for (std::size_t k = 0; k < 2 && on.size() > 2; ++k) {
-            if (joined.first)
-                on[k].normal = on[2].normal;
-            if (joined.second)
-                on[on.size() - 1 - k].normal = on[on.size() - 3].normal;
-        }
+        settleEnd(std::span(on));
+        std::ranges::reverse(on);
+        settleEnd(std::span(on));
+        std::ranges::reverse(on);
         CgalMesh strip;
         std::vector<std::pair<Vertex, Vertex>> sections;
         for (std::size_t k = 0; k < on.size(); ++k) {
@@ -670,6 +692,7 @@ private:
     std::vector<Message> m_notes;
     std::vector<FormLine> m_lines;           // that are cut; nothing goes on to the others
     std::vector<std::vector<Vec3>> m_places; // of those
+    std::vector<bool> m_isCut;               // of those
     std::size_t m_current = 0;               // of them, that is cut
     SharpEdges m_sharp;                      // of the form as it was
     FormLine m_lastLine;                     // that was to be cut

@@ -157,7 +157,18 @@ double LinedMesh::lengthOf(FormEdge e) const
 {
     return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
-/// Of a triangle, over its longest edge and against its length.
+/// Of a triangle, over its longest edge and against its length: whether it is as good as that edge. Long triangles
+/// beside a line may be low, and have their width nevertheless.
+bool LinedMesh::isCap(Vertex a, Vertex b, Vertex c) const
+{
+    const double longest = std::max({(fromCgal(mesh.point(b)) - fromCgal(mesh.point(a))).norm(),
+                                     (fromCgal(mesh.point(c)) - fromCgal(mesh.point(b))).norm(),
+                                     (fromCgal(mesh.point(a)) - fromCgal(mesh.point(c))).norm()});
+    const double height = heightOf(a, b, c);
+    return height <= lowest && height * longest <= nearPoints;
+}
+
+/// Over its longest edge and against its length.
 double LinedMesh::heightOf(Vertex a, Vertex b, Vertex c) const
 {
     const Vec3 x = fromCgal(mesh.point(a)), y = fromCgal(mesh.point(b)), z = fromCgal(mesh.point(c));
@@ -232,7 +243,7 @@ bool LinedMesh::flattenCaps()
         const auto other = mesh.opposite(longest);
         const Vertex a = mesh.source(longest), b = mesh.target(longest), c1 = mesh.target(mesh.next(longest));
         const double height = heightOf(a, b, c1);
-        if (height > lowest || mesh.is_border(e))
+        if (!isCap(a, b, c1) || mesh.is_border(e))
             continue;
         const Vertex c2 = mesh.target(mesh.next(other));
         // Beside a triangle of its kind it waits until that one has found a better neighbour.

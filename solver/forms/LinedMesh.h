@@ -55,6 +55,7 @@ private:
     bool isShared(Vertex v) const { return v.idx() < m_shared.size() && m_shared[v.idx()]; }
     double lengthOf(FormEdge e) const;
     double heightOf(Vertex a, Vertex b, Vertex c) const;
+    bool isCap(Vertex a, Vertex b, Vertex c) const;
     bool isHeld(FormEdge e) const;
     bool isOnLine(Vertex v) const;
     bool endsAt(Vertex v) const;

@@ -17,7 +17,7 @@ namespace bolster {
 namespace {
 
 constexpr double sharpFrom = 30;   // degrees
-constexpr double beside = 2;       // mm: a line so near runs along an edge,
+constexpr double beside = 4;       // mm: a line so near runs along an edge,
 constexpr double mostTurned = 30;  // degrees: if it has about its direction,
 constexpr double leastRun = 10;    // mm: for so long
 constexpr double mostAlong = 0.7;  // of its places: it turns at corners, where it is by two edges
@@ -34,17 +34,14 @@ double lengthOf(const std::vector<Vec3>& places)
 /// The edges of triangles that lie on some segments.
 class EdgeGraph {
 public:
-    EdgeGraph(TriangleSoup& form, const std::vector<std::pair<Vec3, Vec3>>& segments)
+    /// `eachOn` calls a visitor with the numbers of the segments that a place lies on.
+    template <class EachOn>
+    EdgeGraph(TriangleSoup& form, const EachOn& eachOn)
         : m_form(form)
     {
-        Box3 box;
-        for (const auto& [from, to] : segments)
-            box.extend(from).extend(to);
         std::vector<std::vector<std::size_t>> on(form.points.size()); // segments of each point
         for (std::size_t p = 0; p < form.points.size(); ++p)
-            for (std::size_t s = 0; s < segments.size() && box.exteriorDistance(form.points[p]) < onSegment; ++s)
-                if (segmentDistance<3>(form.points[p], segments[s].first, segments[s].second) < onSegment)
-                    on[p].push_back(s);
+            eachOn(form.points[p], [&](std::size_t segment) { on[p].push_back(segment); });
         const auto share = [&](int a, int b) {
             return std::ranges::any_of(on[a], [&](std::size_t s) { return std::ranges::count(on[b], s) > 0; });
         };
@@ -73,8 +70,8 @@ public:
         return -1;
     }
 
-    /// Adds the shortest way between two points to the cuts; false where there is none.
-    bool cutBetween(int from, int to)
+    /// The points on the shortest way between two of them, from its end; none where there is no way.
+    std::vector<int> way(int from, int to) const
     {
         std::map<int, std::pair<double, int>> reached{{from, {0, -1}}}; // how far it is, and from where
         std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> waiting;
@@ -85,7 +82,7 @@ public:
                 break;
             if (far > reached[at].first)
                 continue;
-            for (const int next : m_beside[at]) {
+            for (const int next : m_beside.at(at)) {
                 const double through = far + (m_form.points[next] - m_form.points[at]).norm();
                 const auto known = reached.find(next);
                 if (known == reached.end() || through < known->second.first) {
@@ -94,11 +91,10 @@ public:
                 }
             }
         }
-        if (!reached.contains(to))
-            return false;
-        for (int at = to; reached[at].second >= 0; at = reached[at].second)
-            m_form.cuts.insert(std::minmax(at, reached[at].second));
-        return true;
+        std::vector<int> points;
+        for (int at = reached.contains(to) ? to : -1; at >= 0; at = reached[at].second)
+            points.push_back(at);
+        return points;
     }
 
 private:
@@ -159,15 +155,16 @@ SharpEdges::SharpEdges(const TriangleSoup& form)
     });
 }
 
-/// Calls visit(segment, mm) for those that a line at this place may run along.
+/// Calls visit(number of a segment, mm) for those that a line at this place may run along.
 template <class Visit>
 void SharpEdges::eachBeside(const Vec3& at, const Visit& visit) const
 {
     const auto gap = [&](const Box3& box) { return box.exteriorDistance(at); };
     m_boxes.walk(gap, beside, [&](std::uint32_t place) {
-        const Segment& segment = m_segments[m_boxes.order()[place]];
-        if (const double distance = segmentDistance<3>(at, segment.first, segment.second); distance < beside)
-            visit(segment, distance);
+        const std::size_t number = m_boxes.order()[place];
+        const auto& [from, to] = m_segments[number];
+        if (const double distance = segmentDistance<3>(at, from, to); distance < beside)
+            visit(number, distance);
         return false;
     });
 }
@@ -176,9 +173,9 @@ std::optional<Vec3> SharpEdges::nearest(const Vec3& at) const
 {
     std::optional<Vec3> found;
     double least = beside;
-    eachBeside(at, [&](const Segment& segment, double distance) {
+    eachBeside(at, [&](std::size_t number, double distance) {
         if (distance < least)
-            found = nearestOnSegment<3>(at, segment.first, segment.second);
+            found = nearestOnSegment<3>(at, m_segments[number].first, m_segments[number].second);
         least = std::min(least, distance);
     });
     return found;
@@ -188,8 +185,8 @@ bool SharpEdges::runsAlong(const Vec3& at, const Vec3& direction) const
 {
     const double least = std::cos(mostTurned * std::numbers::pi / 180);
     bool any = false;
-    eachBeside(at, [&](const Segment& segment, double) {
-        const Vec3 way = segment.second - segment.first;
+    eachBeside(at, [&](std::size_t number, double) {
+        const Vec3 way = m_segments[number].second - m_segments[number].first;
         any = any || std::abs(way.normalized().dot(direction)) > least;
     });
     return any;
@@ -254,37 +251,46 @@ LineRun SharpEdges::runOf(const std::vector<Vec3>& places, std::size_t begin, st
     return run;
 }
 
-std::vector<SharpEdges::Segment> SharpEdges::segmentsBeside(const LineRun& run) const
+std::set<std::size_t> SharpEdges::segmentsBeside(const LineRun& run) const
 {
-    std::set<const Segment*> found;
+    std::set<std::size_t> found;
     for (std::size_t k = 1; k < run.places.size(); ++k) {
         const Vec3 from = run.places[k - 1], way = run.places[k] - from;
         const int steps = static_cast<int>(std::ceil(way.norm() / beside));
         for (int i = 0; i <= steps; ++i)
             eachBeside(from + way * i / std::max(steps, 1),
-                       [&](const Segment& segment, double) { found.insert(&segment); });
+                       [&](std::size_t number, double) { found.insert(number); });
     }
-    std::vector<Segment> segments;
-    for (const Segment* segment : found)
-        segments.push_back(*segment);
-    return segments;
+    return found;
 }
 
 bool SharpEdges::cut(TriangleSoup& form, LineRun& run) const
 {
-    EdgeGraph graph(form, segmentsBeside(run));
+    const std::set<std::size_t> chosen = segmentsBeside(run);
+    EdgeGraph graph(form, [&](const Vec3& at, const auto& visit) {
+        eachBeside(at, [&](std::size_t number, double distance) {
+            if (distance < onSegment && chosen.contains(number))
+                visit(number);
+        });
+    });
     std::vector<int> stations; // one after the other, also of a run that comes back to where it began
     constexpr std::size_t stages = 3;
     for (std::size_t k = 0; k <= stages; ++k)
         stations.push_back(graph.pointAt(run.places[k * (run.places.size() - 1) / stages]));
     if (std::ranges::count(stations, -1) > 0)
         return false;
+    std::vector<int> way{stations.back()};
+    for (std::size_t k = stages; k > 0; --k) {
+        const std::vector<int> stage = graph.way(stations[k - 1], stations[k]);
+        if (stage.empty())
+            return false;
+        way.insert(way.end(), stage.begin() + 1, stage.end());
+    }
+    for (std::size_t k = 1; k < way.size(); ++k)
+        form.cuts.insert(std::minmax(way[k - 1], way[k]));
     run.places.front() = form.points[stations.front()];
     run.places.back() = form.points[stations.back()];
-    bool whole = true;
-    for (std::size_t k = 0; k < stages && whole; ++k)
-        whole = graph.cutBetween(stations[k], stations[k + 1]);
-    return whole;
+    return true;
 }
 
 } // namespace bolster

@@ -38,7 +38,7 @@ private:
     void eachBeside(const Vec3& at, const Visit& visit) const;
     bool runsAlong(const Vec3& at, const Vec3& direction) const;
     LineRun runOf(const std::vector<Vec3>& places, std::size_t begin, std::size_t end) const;
-    std::vector<Segment> segmentsBeside(const LineRun& run) const;
+    std::set<std::size_t> segmentsBeside(const LineRun& run) const;
 
     std::vector<Segment> m_segments;
     BoxTree<double> m_boxes; // of those

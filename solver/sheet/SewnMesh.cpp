@@ -141,33 +141,32 @@ public:
                 const Vec2& apex = topology.pattern[triangle[(k + 2) % 3]];
                 const Vec2 u = topology.pattern[a] - apex, v = topology.pattern[b] - apex;
                 const double doubleArea = std::abs(cross(u, v));
-                const Vec2 edge = topology.pattern[b] - topology.pattern[a];
-                m_halves.push_back({a == vertex ? b : a, 0.5 * u.dot(v) / doubleArea, a == vertex ? edge : -edge});
+                m_halves.emplace_back(a == vertex ? b : a, 0.5 * u.dot(v) / doubleArea);
                 if (a == vertex)
                     area += doubleArea / 6;
             }
         }
         join();
     }
-    const std::vector<SewnMesh::RingEdge>& edges() const { return m_halves; }
+    const std::vector<SewnMesh::RingEdge>& edges() const { return m_edges; }
 
 private:
     /// Half edges to the same neighbour are one edge.
     void join()
     {
-        std::ranges::sort(m_halves, {}, &SewnMesh::RingEdge::vertex);
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < m_halves.size(); ++count) {
-            SewnMesh::RingEdge edge = m_halves[k];
-            for (++k; k < m_halves.size() && m_halves[k].vertex == edge.vertex; ++k)
-                edge.weight += m_halves[k].weight;
-            edge.weight = std::max(0.0, edge.weight);
-            m_halves[count] = edge;
+        std::ranges::sort(m_halves, {}, &Half::first);
+        m_edges.clear();
+        for (std::size_t k = 0; k < m_halves.size();) {
+            auto [vertex, weight] = m_halves[k];
+            for (++k; k < m_halves.size() && m_halves[k].first == vertex; ++k)
+                weight += m_halves[k].second;
+            m_edges.push_back({vertex, static_cast<float>(std::max(0.0, weight))});
         }
-        m_halves.resize(count);
     }
 
-    std::vector<SewnMesh::RingEdge> m_halves;
+    using Half = std::pair<int, double>; // the neighbour, and the weight that one triangle gives
+    std::vector<Half> m_halves;
+    std::vector<SewnMesh::RingEdge> m_edges;
 };
 
 void collectRings(SewnMesh& mesh, const SurfaceTopology& topology, WorkerPool& pool)
@@ -215,7 +214,7 @@ void measureParts(SewnMesh& mesh)
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
             part.area += mesh.area[v];
             for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k, ++count)
-                length += mesh.ring[k].rest.norm();
+                length += mesh.along(v, mesh.ring[k]).norm();
         }
         part.meanEdge = count > 0 ? length / count : 0;
     }
@@ -337,10 +336,10 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     openSewnCorners(*topology);
     collectRings(mesh, *topology, pool);
     findComponents(mesh, sampling);
-    measureParts(mesh);
-    measureComponents(mesh);
     collectChains(*topology, sampling, first);
     mesh.topology = std::move(topology);
+    measureParts(mesh);
+    measureComponents(mesh);
     updateMaterials(mesh, design);
     updateTargets(mesh, sampling);
     mesh.reliefs = makeReliefs(mesh, sampling, design);
@@ -352,9 +351,9 @@ void reshape(SewnMesh& mesh, std::vector<Vec2> pattern, WorkerPool& pool)
     auto topology = std::make_shared<SurfaceTopology>(*mesh.topology);
     topology->pattern = std::move(pattern);
     measureRings(mesh, *topology, pool);
+    mesh.topology = std::move(topology);
     measureParts(mesh);
     measureComponents(mesh);
-    mesh.topology = std::move(topology);
 }
 
 Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k)

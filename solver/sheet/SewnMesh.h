@@ -34,10 +34,10 @@ struct SewnMesh {
         /// lambda_num^2, mm^2: the bending that is left to do for L2, since the mesh adds some of its own.
         double bendingSquared() const;
     };
+    /// There are six for each vertex: small ones.
     struct RingEdge {
         int vertex = 0;
-        double weight = 0;        ///< w_ij
-        Vec2 rest = Vec2::Zero(); ///< e_ij, mm
+        float weight = 0; ///< w_ij
     };
 
     /// A vertex whose normal is held.
@@ -82,6 +82,8 @@ struct SewnMesh {
     int vertexCount() const { return static_cast<int>(area.size()); }
     int unknownCount() const { return static_cast<int>(topology->unknownCount); }
     const std::vector<Vec2>& rest() const { return topology->pattern; }
+    /// e_ij of an edge of the vertex's ring, mm.
+    Vec2 along(int vertex, const RingEdge& edge) const { return rest()[edge.vertex] - rest()[vertex]; }
     double largestDiameter() const;
 };
 

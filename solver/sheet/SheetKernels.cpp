@@ -623,15 +623,15 @@ void SheetRings::measure(const SewnMesh& mesh, WorkerPool& pool)
             Eigen::Matrix2d rest = ringRegularisation * mesh.area[v] * Eigen::Matrix2d::Identity();
             for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
                 const SewnMesh::RingEdge& ring = mesh.ring[k];
-                const Vec2 towards = ring.weight * ring.rest;
+                const Vec2 there = mesh.along(v, ring), towards = ring.weight * there;
                 edges[k] = {ring.vertex,
                             static_cast<int>(unknown[ring.vertex]),
-                            static_cast<float>(ring.weight),
+                            ring.weight,
                             {static_cast<float>(towards.x()), static_cast<float>(towards.y())}};
                 // Of what was rounded, or a sum of differences is no longer the difference of sums.
                 weight[v] += static_cast<double>(edges[k].weight);
                 pull[v] += Eigen::Vector2f(edges[k].pull[0], edges[k].pull[1]).cast<double>();
-                rest += towards * ring.rest.transpose();
+                rest += towards * there.transpose();
             }
             const Eigen::Matrix2f inverted = rest.inverse().cast<float>();
             inverse[0][v] = inverted(0, 0);

@@ -174,8 +174,10 @@ void SheetOptimizer::measureRings()
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
             m_rest[v].setZero();
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
-                m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
+            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
+                const Vec2 there = m_mesh.along(v, m_mesh.ring[k]);
+                m_rest[v] += m_mesh.ring[k].weight * there * there.transpose();
+            }
         }
     });
     m_smoothSeams.emplace(m_mesh, m_rest);

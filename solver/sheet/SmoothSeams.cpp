@@ -49,7 +49,7 @@ Vec2 sumOfRing(const SewnMesh& mesh, int vertex, bool weighted)
 {
     Vec2 sum = Vec2::Zero();
     for (int k = mesh.ringStart[vertex]; k < mesh.ringStart[vertex + 1]; ++k)
-        sum += (weighted ? mesh.ring[k].weight : 1) * mesh.ring[k].rest;
+        sum += (weighted ? double{mesh.ring[k].weight} : 1) * mesh.along(vertex, mesh.ring[k]);
     return sum;
 }
 
@@ -60,7 +60,7 @@ std::vector<double> derivativeAlong(const SewnMesh& mesh, int vertex, const Eige
     const Vec2 dual = rest.inverse() * direction;
     std::vector<double> weights;
     for (int k = mesh.ringStart[vertex]; k < mesh.ringStart[vertex + 1]; ++k)
-        weights.push_back(mesh.ring[k].weight * dual.dot(mesh.ring[k].rest));
+        weights.push_back(mesh.ring[k].weight * dual.dot(mesh.along(vertex, mesh.ring[k])));
     return weights;
 }
 
@@ -202,7 +202,7 @@ void SmoothSeams::findLopsided(const std::vector<Eigen::Matrix2d>& rest)
     for (int v : beside) {
         Eigen::Matrix<double, 6, 1> fitted = Eigen::Matrix<double, 6, 1>::Zero();
         for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-            const Vec2& e = m_mesh.ring[k].rest;
+            const Vec2 e = m_mesh.along(v, m_mesh.ring[k]);
             const Vec2 pull = 0.5 * m_mesh.ring[k].weight * (rest[v].inverse() * e);
             fitted.segment<2>(0) += e.x() * e.x() * pull;
             fitted.segment<2>(2) += 2 * e.x() * e.y() * pull;
@@ -232,7 +232,8 @@ SmoothSeams::Matrix32 SmoothSeams::covariance(const SheetMoment& sheet, int vert
     Matrix32 sum = Matrix32::Zero();
     for (int k = m_mesh.ringStart[vertex]; k < m_mesh.ringStart[vertex + 1]; ++k) {
         const SewnMesh::RingEdge& edge = m_mesh.ring[k];
-        sum.noalias() += (sheet.position(edge.vertex) - here) * (edge.weight * edge.rest.transpose());
+        sum.noalias() +=
+            (sheet.position(edge.vertex) - here) * (edge.weight * m_mesh.along(vertex, edge).transpose());
     }
     return sum;
 }

@@ -19,10 +19,11 @@ namespace {
 
 /// Fixations that lie this nearly on one line do not say how the patch turns about it.
 constexpr double lineThreshold = 0.02;
-/// Of a patch with its places: with less of it they go round, and a rigid patch says nothing of how it lies.
-constexpr double leastCorrelation = 0.75;
-constexpr double flatRim = 0.3;   // of its radius, across its plane
-constexpr double leastTurn = 0.1; // of a disc's area: what a rim must go around
+/// Degrees by which a rim turns more than the outline on it: a wall that goes around, which no rigid patch is like.
+constexpr double goesAround = 90;
+constexpr std::size_t enoughFeet = 300; // of a wall on a rim
+constexpr double flatRim = 0.3;         // of its radius, across its plane
+constexpr double leastTurn = 0.1;       // of a disc's area: what a rim must go around
 
 struct Rigid {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -37,11 +38,77 @@ struct Correspondence {
     int vertex;
 };
 
+bool isHeld(const SewnMesh& mesh, int v)
+{
+    return static_cast<int>(mesh.topology->unknown[v]) >= mesh.freeCount;
+}
+
+const Vec3& heldAt(const SewnMesh& mesh, int v)
+{
+    return mesh.targets[mesh.topology->unknown[v] - static_cast<std::uint32_t>(mesh.freeCount)];
+}
+
+/// Along the outline, of one of its vertices.
+int nextOf(const SewnMesh::Part& part, int v)
+{
+    return v + 1 < part.firstVertex + part.boundaryCount ? v + 1 : part.firstVertex;
+}
+
+/// Where that is held, too; none for vertices inside.
+std::optional<int> nextHeld(const SewnMesh& mesh, const SewnMesh::Part& part, int v)
+{
+    if (v >= part.firstVertex + part.boundaryCount || !isHeld(mesh, nextOf(part, v)))
+        return std::nullopt;
+    return nextOf(part, v);
+}
+
 /// Fixed points of a component.
 struct Rim {
     Vec3 centre = Vec3::Zero();
     Vec3 up = Vec3::Zero(); ///< where cloth that is closed above them stands, unit: to the outside; else zero
 };
+
+/// What is added up over a component's vertices.
+struct RimSums {
+    double vertices = 0, squares = 0, across = 0; ///< mm^2: from the centre, and along `up`
+};
+
+/// The cloth lies to the left of its outline, seen from outside. So a rim in a plane, which goes around what it
+/// holds, says on which side of that plane the cloth is to stand.
+std::vector<Rim> rimsOf(const SewnMesh& mesh)
+{
+    std::vector<Rim> rims(mesh.diameter.size());
+    std::vector<RimSums> sums(rims.size());
+    const auto eachHeld = [&](const auto& visit) {
+        for (const SewnMesh::Part& part : mesh.parts)
+            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
+                if (isHeld(mesh, v))
+                    visit(part, v, rims[part.component], sums[part.component]);
+    };
+    eachHeld([&](const SewnMesh::Part&, int v, Rim& rim, RimSums& sum) {
+        rim.centre += heldAt(mesh, v);
+        sum.vertices += 1;
+    });
+    for (std::size_t c = 0; c < rims.size(); ++c)
+        rims[c].centre /= std::max(sums[c].vertices, 1.0);
+    eachHeld([&](const SewnMesh::Part& part, int v, Rim& rim, RimSums& sum) {
+        const Vec3 from = heldAt(mesh, v) - rim.centre;
+        sum.squares += from.squaredNorm();
+        if (const std::optional<int> next = nextHeld(mesh, part, v))
+            rim.up += part.outward * from.cross(heldAt(mesh, *next) - rim.centre) / 2;
+    });
+    for (std::size_t c = 0; c < rims.size(); ++c) {
+        const double disc = EIGEN_PI * sums[c].squares / std::max(sums[c].vertices, 1.0);
+        rims[c].up = rims[c].up.norm() > leastTurn * disc ? Vec3(rims[c].up.normalized()) : Vec3(Vec3::Zero());
+    }
+    eachHeld([&](const SewnMesh::Part&, int v, const Rim& rim, RimSums& sum) {
+        sum.across += std::pow(rim.up.dot(heldAt(mesh, v) - rim.centre), 2);
+    });
+    for (std::size_t c = 0; c < rims.size(); ++c)
+        if (sums[c].across > flatRim * flatRim * sums[c].squares)
+            rims[c].up.setZero();
+    return rims;
+}
 
 class Placer {
 public:
@@ -49,11 +116,11 @@ public:
         : m_mesh(mesh)
         , m_isPlaced(mesh.parts.size())
         , m_held(mesh.parts.size())
+        , m_rims(rimsOf(mesh))
     {
         m_places.setZero(3, mesh.vertexCount());
         m_frames.setZero(4, mesh.vertexCount());
         collectHeld();
-        findUps();
         linkVertices();
     }
 
@@ -69,66 +136,14 @@ public:
     }
 
 private:
-    bool isHeld(int v) const { return static_cast<int>(m_mesh.topology->unknown[v]) >= m_mesh.freeCount; }
-    const Vec3& target(int v) const { return m_mesh.targets[m_mesh.topology->unknown[v] - m_mesh.freeCount]; }
-
     void collectHeld()
     {
-        m_rims.resize(m_mesh.diameter.size());
-        std::vector<int> count(m_rims.size(), 0);
         for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
             const SewnMesh::Part& part = m_mesh.parts[p];
-            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-                if (!isHeld(v))
-                    continue;
-                m_held[p].push_back({m_mesh.rest()[v], target(v), v});
-                m_rims[part.component].centre += target(v);
-                ++count[part.component];
-            }
+            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
+                if (isHeld(m_mesh, v))
+                    m_held[p].push_back({m_mesh.rest()[v], heldAt(m_mesh, v), v});
         }
-        for (std::size_t c = 0; c < m_rims.size(); ++c)
-            if (count[c] > 0)
-                m_rims[c].centre /= count[c];
-    }
-
-    /// The cloth lies to the left of its outline, seen from outside. So a rim in a plane, which goes around what it
-    /// holds, says on which side of that plane the cloth is to stand.
-    void findUps()
-    {
-        std::vector<double> squares(m_rims.size(), 0), vertices(m_rims.size(), 0);
-        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
-            const SewnMesh::Part& part = m_mesh.parts[p];
-            Rim& rim = m_rims[part.component];
-            for (const Correspondence& c : m_held[p]) {
-                squares[part.component] += (c.place - rim.centre).squaredNorm();
-                vertices[part.component] += 1;
-                if (const std::optional<int> next = nextHeld(part, c.vertex))
-                    rim.up += part.outward * (c.place - rim.centre).cross(target(*next) - rim.centre) / 2;
-            }
-        }
-        std::vector<double> across(m_rims.size(), 0);
-        for (std::size_t c = 0; c < m_rims.size(); ++c) {
-            const double disc = EIGEN_PI * squares[c] / std::max(vertices[c], 1.0);
-            m_rims[c].up = m_rims[c].up.norm() > leastTurn * disc ? m_rims[c].up.normalized() : Vec3(Vec3::Zero());
-        }
-        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
-            const int c = m_mesh.parts[p].component;
-            for (const Correspondence& held : m_held[p])
-                across[c] += std::pow(m_rims[c].up.dot(held.place - m_rims[c].centre), 2);
-        }
-        for (std::size_t c = 0; c < m_rims.size(); ++c)
-            if (across[c] > flatRim * flatRim * squares[c])
-                m_rims[c].up.setZero();
-    }
-
-    /// Along the outline, where that is held, too.
-    std::optional<int> nextHeld(const SewnMesh::Part& part, int v) const
-    {
-        const int k = v - part.firstVertex;
-        if (k >= part.boundaryCount)
-            return std::nullopt;
-        const int next = part.firstVertex + (k + 1 < part.boundaryCount ? k + 1 : 0);
-        return isHeld(next) ? std::optional(next) : std::nullopt;
     }
 
     /// The vertices that share an unknown, for walking from patch to patch.
@@ -161,26 +176,16 @@ private:
         restCentre /= static_cast<double>(points.size());
         placeCentre /= static_cast<double>(points.size());
         Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
-        double restSquares = 0, placeSquares = 0;
-        for (const Correspondence& c : points) {
+        for (const Correspondence& c : points)
             covariance += (c.place - placeCentre) * (c.rest - restCentre).transpose();
-            restSquares += (c.rest - restCentre).squaredNorm();
-            placeSquares += (c.place - placeCentre).squaredNorm();
-        }
 
         const Vec3& up = m_rims[part.component].up;
         Rigid rigid;
         const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>, Eigen::FullPivHouseholderQRPreconditioner> svd(
             covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        // The sum of the covariance's singular values; their product is the area that its columns span.
-        const double singular =
-            std::sqrt(covariance.squaredNorm() + 2 * covariance.col(0).cross(covariance.col(1)).norm());
-        const double correlation = singular / std::sqrt(std::max(restSquares * placeSquares, 1e-300));
         const bool stands = !m_held[p].empty() && up != Vec3::Zero();
-        if (stands && correlation < leastCorrelation) {
-            standAround(p);
+        if (stands && turnsMore(p) > goesAround * EIGEN_PI / 180 && standAround(p))
             return;
-        }
         if (svd.singularValues()[1] > lineThreshold * svd.singularValues()[0]) {
             rigid.rotation.leftCols<2>() = svd.matrixU().leftCols<2>() * svd.matrixV().transpose();
             rigid.rotation.col(2) = rigid.rotation.col(0).cross(rigid.rotation.col(1));
@@ -190,7 +195,7 @@ private:
             Vec3 outwards = across(along, placeCentre - m_rims[part.component].centre);
             if (stands)
                 outwards = runsAlong(p, svd.matrixV().col(0)) * part.outward * along.cross(up);
-            if (outwards.norm() < 1e-3 * m_mesh.diameter[part.component])
+            else if (outwards.norm() < 1e-3 * m_mesh.diameter[part.component])
                 outwards = bulge(points, placeCentre, along);
             rigid.rotation = turnedOutwards(svd.matrixV().col(0), along, outwards, part.outward);
         }
@@ -198,38 +203,63 @@ private:
         settle(p, rigid);
     }
 
+    /// By how much the places of a held outline turn more than the outline does, over all of it; radians.
+    double turnsMore(int p) const
+    {
+        const SewnMesh::Part& part = m_mesh.parts[p];
+        const Vec3& up = m_rims[part.component].up;
+        double more = 0;
+        for (const Correspondence& c : m_held[p]) {
+            const std::optional<int> next = nextHeld(m_mesh, part, c.vertex);
+            const std::optional<int> last = next ? nextHeld(m_mesh, part, *next) : std::nullopt;
+            if (!last)
+                continue;
+            const Vec2 in = m_mesh.rest()[*next] - c.rest, out = m_mesh.rest()[*last] - m_mesh.rest()[*next];
+            const Vec3 from = across(up, heldAt(m_mesh, *next) - c.place),
+                       to = across(up, heldAt(m_mesh, *last) - heldAt(m_mesh, *next));
+            more += std::atan2(up.dot(from.cross(to)), from.dot(to)) -
+                    part.outward * std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+        }
+        return std::abs(more);
+    }
+
     /// 1 where the held outline runs along a direction of the pattern, -1 where it runs against it.
     double runsAlong(int p, const Vec2& direction) const
     {
         double sum = 0;
         for (const Correspondence& c : m_held[p])
-            if (const std::optional<int> next = nextHeld(m_mesh.parts[p], c.vertex))
+            if (const std::optional<int> next = nextHeld(m_mesh, m_mesh.parts[p], c.vertex))
                 sum += (m_mesh.rest()[*next] - c.rest).dot(direction);
         return sum < 0 ? -1 : 1;
     }
 
     /// A wall along a rim that it goes around: each vertex where the nearest place of the rim has it, upright.
-    void standAround(int p)
+    /// False where no outline runs along the rim.
+    bool standAround(int p)
     {
         const SewnMesh::Part& part = m_mesh.parts[p];
         const Vec3& up = m_rims[part.component].up;
         std::vector<Correspondence> feet;
         std::vector<Eigen::Matrix3d> turns;
-        for (const Correspondence& c : m_held[p]) {
-            const std::optional<int> next = nextHeld(part, c.vertex);
+        const std::size_t step = 1 + m_held[p].size() / enoughFeet;
+        for (std::size_t k = 0; k < m_held[p].size(); k += step) {
+            const Correspondence& c = m_held[p][k];
+            const std::optional<int> next = nextHeld(m_mesh, part, c.vertex);
             if (!next)
                 continue;
             const Vec2 rest = m_mesh.rest()[*next] - c.rest;
-            const Vec3 along = across(up, target(*next) - c.place);
+            const Vec3 along = across(up, heldAt(m_mesh, *next) - c.place);
             if (!(rest.norm() > 0) || !(along.norm() > 0))
                 continue;
-            feet.push_back({(m_mesh.rest()[*next] + c.rest) / 2, (target(*next) + c.place) / 2, c.vertex});
+            feet.push_back({(m_mesh.rest()[*next] + c.rest) / 2, (heldAt(m_mesh, *next) + c.place) / 2, c.vertex});
             const Vec2 right = rest.normalized();
             Eigen::Matrix3d from, to;
             from << Vec3(right.x(), right.y(), 0), Vec3(-right.y(), right.x(), 0), Vec3::UnitZ();
             to << along.normalized(), up, along.normalized().cross(up);
             turns.push_back(to * from.transpose());
         }
+        if (feet.empty())
+            return false;
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
             const Vec2& rest = m_mesh.rest()[v];
             const auto nearest = std::ranges::min_element(
@@ -238,6 +268,7 @@ private:
             put(v, nearest->place + turn.leftCols<2>() * (rest - nearest->rest), turn);
         }
         settle(p);
+        return true;
     }
 
     void put(int v, const Vec3& at, const Eigen::Matrix3d& turn)
@@ -410,8 +441,9 @@ std::array<double, 2> principalStrains(const SewnMesh& mesh, const SheetState& s
     for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
         const SewnMesh::RingEdge& edge = mesh.ring[k];
         const Vec3 e = state.positions.col(unknown[edge.vertex]) - state.positions.col(unknown[v]);
-        covariance += edge.weight * e * edge.rest.transpose();
-        rest += edge.weight * edge.rest * edge.rest.transpose();
+        const Vec2 there = mesh.along(v, edge);
+        covariance += edge.weight * e * there.transpose();
+        rest += edge.weight * there * there.transpose();
     }
     const Eigen::Matrix<double, 3, 2> gradient = covariance * rest.inverse();
     const Eigen::Matrix2d square = gradient.transpose() * gradient;
@@ -452,8 +484,9 @@ struct Flatness {
     Vec3 sum = Vec3::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     double vertices = 0;
-    double most = 0;                ///< that cloth is pressed together inside, 1
-    double pressed = 0, larger = 0; ///< area of what is pressed together, and the larger strain there times it
+    double most = 0;    ///< that cloth is pressed together inside, 1
+    double pressed = 0; ///< area of what is pressed together, and the strains there times it
+    double larger = 0, smaller = 0;
 
     /// Standard deviation across the plane that it lies in, mm.
     double thickness() const
@@ -464,14 +497,17 @@ struct Flatness {
     }
 };
 
-/// Of each component, whether it lies nearly in a plane and is too large for its room: a little, when symmetry
-/// would keep it there, pressed together, since the dome that it takes has no part in a ripple; or in both
-/// directions, as the pattern of a dome is, which is to stand on its outside. What is much too wide in one
-/// direction folds in many ways, which the ripple decides.
-std::vector<bool> domes(const SewnMesh& mesh, const SheetState& state)
+/// By how much of D each component is lifted to its outside. That is what lies nearly in a plane and is too large
+/// for its room: a little, when symmetry would keep it there, pressed together, since the dome that it takes has no
+/// part in a ripple; or in both directions, as the pattern of a dome or of a box is, which momentum would carry
+/// through the plane if it were lifted but a little. What is much too wide in one direction folds in many ways,
+/// which the ripple decides.
+std::vector<double> lifts(const SewnMesh& mesh, const SheetState& state)
 {
-    constexpr double thinnest = 0.02;    // of D
-    constexpr double mostSlack = 0.06;   // strain
+    constexpr double thinnest = 0.02;  // of D
+    constexpr double mostSlack = 0.06; // strain
+    constexpr double lift = 0.006;
+    constexpr double higher = 0.15;      // times the strain
     constexpr double pressedBoth = 0.02; // strain: the larger one, on the average of what is pressed together
     std::vector<Flatness> all(mesh.diameter.size());
     for (const SewnMesh::Part& part : mesh.parts) {
@@ -488,13 +524,18 @@ std::vector<bool> domes(const SewnMesh& mesh, const SheetState& state)
             if (-least > leastPressed) {
                 component.pressed += mesh.area[v];
                 component.larger += mesh.area[v] * larger;
+                component.smaller += mesh.area[v] * least;
             }
         }
     }
-    std::vector<bool> result;
+    std::vector<double> result(all.size(), 0);
     for (std::size_t c = 0; c < all.size(); ++c) {
-        const bool isSlack = all[c].most < mostSlack || all[c].larger < -pressedBoth * all[c].pressed;
-        result.push_back(isSlack && all[c].thickness() < thinnest * mesh.diameter[c]);
+        if (!(all[c].thickness() < thinnest * mesh.diameter[c]) || !(all[c].pressed > 0))
+            continue;
+        if (all[c].larger < -pressedBoth * all[c].pressed)
+            result[c] = lift - higher * all[c].smaller / all[c].pressed;
+        else if (all[c].most < mostSlack)
+            result[c] = lift;
     }
     return result;
 }
@@ -504,10 +545,9 @@ std::vector<bool> domes(const SewnMesh& mesh, const SheetState& state)
 void seedFolds(const SewnMesh& mesh, SheetState& state)
 {
     constexpr double height = 0.002;   // of D
-    constexpr double lift = 0.006;     // of D
     constexpr double wavelength = 0.2; // of D
     constexpr double full = 0.02;
-    const std::vector<bool> isDome = domes(mesh, state);
+    const std::vector<double> lift = lifts(mesh, state);
     for (const SewnMesh::Part& part : mesh.parts) {
         const double d = mesh.diameter[part.component];
         for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
@@ -518,8 +558,8 @@ void seedFolds(const SewnMesh& mesh, SheetState& state)
             const Eigen::Vector3d normal = rotationOf(state.frames.col(v)).col(2);
             auto place = state.positions.col(mesh.topology->unknown[v]);
             place += share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
-            if (isDome[part.component])
-                place += lift * d * normal; // all of it: near the least slack the dome grows slowly
+            // All of it: near the least slack the dome grows slowly.
+            place += lift[part.component] * d * part.outward * normal;
         }
     }
 }

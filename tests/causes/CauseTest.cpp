@@ -129,7 +129,7 @@ TEST_F(BoxTest, WhoStopsItGetsNothing)
 {
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_TRUE(s_finder->explain(scanOf(*s_finder->nominal(), 5, 1, 1), {}, stop.get_token()).ranked.empty());
+    EXPECT_TRUE(s_finder->explain(scanOf(*s_finder->nominal(), 5, 1, 1), {}, {}, stop.get_token()).ranked.empty());
 }
 
 TEST_F(BoxTest, AScanElsewhereShowsNothing)

@@ -227,8 +227,8 @@ TEST(Faults, SingularSystemsAreRefused)
     TriangulationCache cache;
     const auto sheet = prepareSheet(cover(200), cache);
     WorkerPool pool(2);
-    for (const double weight :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1.0}) {
+    for (const float weight :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1.0F}) {
         SewnMesh mesh = sheet->mesh;
         for (SewnMesh::RingEdge& edge : mesh.ring)
             edge.weight = weight;

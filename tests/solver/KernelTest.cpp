@@ -76,8 +76,10 @@ TEST(SheetKernels, FitFramesLikeTheLocalStepOfOneVertex)
     WorkerPool pool(2);
     for (const double scale : {1e-8, 1e-5, 1e-3, 1.0, 1e3, 3e3, 1e4, 1e6}) {
         SewnMesh mesh = sheet->mesh;
-        for (SewnMesh::RingEdge& edge : mesh.ring)
-            edge.rest *= scale;
+        auto topology = std::make_shared<SurfaceTopology>(*mesh.topology);
+        for (Vec2& rest : topology->pattern)
+            rest *= scale;
+        mesh.topology = topology;
         for (double& area : mesh.area)
             area *= scale * scale;
         SheetRings rings;
@@ -106,8 +108,9 @@ TEST(SheetKernels, FitFramesLikeTheLocalStepOfOneVertex)
             const auto position = [&](int w) -> Vec3 { return positions.col(mesh.topology->unknown[w]).head<3>(); };
             for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
                 const SewnMesh::RingEdge& edge = mesh.ring[k];
-                covariance += edge.weight * (position(edge.vertex) - position(v)) * edge.rest.transpose();
-                rest += edge.weight * edge.rest * edge.rest.transpose();
+                const Vec2 there = mesh.along(v, edge);
+                covariance += edge.weight * (position(edge.vertex) - position(v)) * there.transpose();
+                rest += edge.weight * there * there.transpose();
             }
             const LocalFit fit = fitVertex(covariance, rest, mesh.area[v], frames.col(v), 0.3);
             ASSERT_LT((fitted.col(v) / mesh.area[v] - fit.frame).norm(), 1e-3) << scale << " vertex " << v;
