@@ -21,9 +21,9 @@ namespace {
 constexpr double lineThreshold = 0.02;
 /// Degrees by which a rim turns more than the outline on it: a wall that goes around, which no rigid patch is like.
 constexpr double goesAround = 90;
-constexpr std::size_t enoughFeet = 300; // of a wall on a rim
-constexpr double flatRim = 0.3;         // of its radius, across its plane
-constexpr double leastTurn = 0.1;       // of a disc's area: what a rim must go around
+constexpr std::size_t enoughFeet = 300;        // of a wall on a rim
+constexpr double flatRim = 0.1, wavyRim = 0.3; // of its radius, across its plane
+constexpr double leastTurn = 0.1;              // of a disc's area: what a rim must go around
 
 struct Rigid {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -62,10 +62,22 @@ std::optional<int> nextHeld(const SewnMesh& mesh, const SewnMesh::Part& part, in
     return nextOf(part, v);
 }
 
+/// 1 where the cloth lies to the left of its outline, seen from +z of the pattern; of a mirrored twin it may not.
+double senseOf(const SewnMesh& mesh, const SewnMesh::Part& part)
+{
+    double area = 0;
+    for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v) {
+        const Vec2 &here = mesh.rest()[v], &next = mesh.rest()[nextOf(part, v)];
+        area += here.x() * next.y() - here.y() * next.x();
+    }
+    return area < 0 ? -1 : 1;
+}
+
 /// Fixed points of a component.
 struct Rim {
     Vec3 centre = Vec3::Zero();
     Vec3 up = Vec3::Zero(); ///< where cloth that is closed above them stands, unit: to the outside; else zero
+    bool isFlat = false;    ///< they lie in a plane
 };
 
 /// What is added up over a component's vertices.
@@ -73,12 +85,15 @@ struct RimSums {
     double vertices = 0, squares = 0, across = 0; ///< mm^2: from the centre, and along `up`
 };
 
-/// The cloth lies to the left of its outline, seen from outside. So a rim in a plane, which goes around what it
+/// The cloth lies on one side of its outline, seen from outside. So a rim in a plane, which goes around what it
 /// holds, says on which side of that plane the cloth is to stand.
 std::vector<Rim> rimsOf(const SewnMesh& mesh)
 {
     std::vector<Rim> rims(mesh.diameter.size());
     std::vector<RimSums> sums(rims.size());
+    std::vector<double> senses;
+    for (const SewnMesh::Part& part : mesh.parts)
+        senses.push_back(part.outward * senseOf(mesh, part));
     const auto eachHeld = [&](const auto& visit) {
         for (const SewnMesh::Part& part : mesh.parts)
             for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
@@ -95,7 +110,8 @@ std::vector<Rim> rimsOf(const SewnMesh& mesh)
         const Vec3 from = heldAt(mesh, v) - rim.centre;
         sum.squares += from.squaredNorm();
         if (const std::optional<int> next = nextHeld(mesh, part, v))
-            rim.up += part.outward * from.cross(heldAt(mesh, *next) - rim.centre) / 2;
+            rim.up += senses[static_cast<std::size_t>(&part - mesh.parts.data())] *
+                      from.cross(heldAt(mesh, *next) - rim.centre) / 2;
     });
     for (std::size_t c = 0; c < rims.size(); ++c) {
         const double disc = EIGEN_PI * sums[c].squares / std::max(sums[c].vertices, 1.0);
@@ -104,9 +120,12 @@ std::vector<Rim> rimsOf(const SewnMesh& mesh)
     eachHeld([&](const SewnMesh::Part&, int v, const Rim& rim, RimSums& sum) {
         sum.across += std::pow(rim.up.dot(heldAt(mesh, v) - rim.centre), 2);
     });
-    for (std::size_t c = 0; c < rims.size(); ++c)
-        if (sums[c].across > flatRim * flatRim * sums[c].squares)
+    for (std::size_t c = 0; c < rims.size(); ++c) {
+        const double wave = std::sqrt(sums[c].across / std::max(sums[c].squares, 1e-300));
+        rims[c].isFlat = wave < flatRim;
+        if (wave > wavyRim)
             rims[c].up.setZero();
+    }
     return rims;
 }
 
@@ -179,7 +198,7 @@ private:
         for (const Correspondence& c : points)
             covariance += (c.place - placeCentre) * (c.rest - restCentre).transpose();
 
-        const Vec3& up = m_rims[part.component].up;
+        const auto& [centre, up, isFlat] = m_rims[part.component];
         Rigid rigid;
         const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>, Eigen::FullPivHouseholderQRPreconditioner> svd(
             covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -192,8 +211,8 @@ private:
         } else {
             const bool point = svd.singularValues()[0] <= 0;
             const Vec3 along = point ? Vec3(Vec3::UnitX()) : Vec3(svd.matrixU().col(0));
-            Vec3 outwards = across(along, placeCentre - m_rims[part.component].centre);
-            if (stands)
+            Vec3 outwards = across(along, placeCentre - centre);
+            if (stands && isFlat) // else a border may lean anywhere
                 outwards = runsAlong(p, svd.matrixV().col(0)) * part.outward * along.cross(up);
             else if (outwards.norm() < 1e-3 * m_mesh.diameter[part.component])
                 outwards = bulge(points, placeCentre, along);
@@ -223,14 +242,14 @@ private:
         return std::abs(more);
     }
 
-    /// 1 where the held outline runs along a direction of the pattern, -1 where it runs against it.
+    /// 1 where the held outline, with the cloth to its left, runs along a direction of the pattern, else -1.
     double runsAlong(int p, const Vec2& direction) const
     {
         double sum = 0;
         for (const Correspondence& c : m_held[p])
             if (const std::optional<int> next = nextHeld(m_mesh, m_mesh.parts[p], c.vertex))
                 sum += (m_mesh.rest()[*next] - c.rest).dot(direction);
-        return sum < 0 ? -1 : 1;
+        return (sum < 0 ? -1 : 1) * senseOf(m_mesh, m_mesh.parts[p]);
     }
 
     /// A wall along a rim that it goes around: each vertex where the nearest place of the rim has it, upright.
@@ -241,6 +260,7 @@ private:
         const Vec3& up = m_rims[part.component].up;
         std::vector<Correspondence> feet;
         std::vector<Eigen::Matrix3d> turns;
+        const double sense = senseOf(m_mesh, part);
         const std::size_t step = 1 + m_held[p].size() / enoughFeet;
         for (std::size_t k = 0; k < m_held[p].size(); k += step) {
             const Correspondence& c = m_held[p][k];
@@ -252,10 +272,10 @@ private:
             if (!(rest.norm() > 0) || !(along.norm() > 0))
                 continue;
             feet.push_back({(m_mesh.rest()[*next] + c.rest) / 2, (heldAt(m_mesh, *next) + c.place) / 2, c.vertex});
-            const Vec2 right = rest.normalized();
+            const Vec2 right = sense * rest.normalized();
             Eigen::Matrix3d from, to;
             from << Vec3(right.x(), right.y(), 0), Vec3(-right.y(), right.x(), 0), Vec3::UnitZ();
-            to << along.normalized(), up, along.normalized().cross(up);
+            to << sense * along.normalized(), up, sense * along.normalized().cross(up);
             turns.push_back(to * from.transpose());
         }
         if (feet.empty())
