@@ -261,18 +261,26 @@ private:
                 {line.name, placeText(selfCrossing(form).value_or(line.points.front()))}};
     }
 
+    std::vector<LineRun> runsOf(const FormLine& line, double apart) const
+    {
+        std::vector<SharpEdges::Place> places;
+        for (const Vec3& at : evenly(line, apart))
+            places.push_back({at, m_tree.nearestTo(at).at});
+        return m_sharp.runsOf(std::move(places), line.closed);
+    }
+
     /// As it goes on to others: on sharp edges where it runs along those.
     std::vector<Vec3> placesOf(const FormLine& line) const
     {
         std::vector<Vec3> places;
-        for (const LineRun& run : m_sharp.runsOf(evenly(line, spacing / 2), line.closed))
+        for (const LineRun& run : runsOf(line, spacing / 2))
             places.insert(places.end(), run.places.begin(), run.places.end());
         return places;
     }
 
     void cutPart(const FormLine& line, const std::stop_token& stop)
     {
-        std::vector<LineRun> runs = m_sharp.runsOf(evenly(line, m_spacing), line.closed);
+        std::vector<LineRun> runs = runsOf(line, m_spacing);
         if (std::ranges::none_of(runs, &LineRun::onEdges)) {
             cutNow(line, {}, stop);
             return;
@@ -303,7 +311,7 @@ private:
             const double length = lengthOf({{}, run.places});
             return !run.onEdges &&
                    (length < overEnd || (length < 2 * reach && std::ranges::any_of(run.places, [&](const Vec3& at) {
-                                             return isBeyond(at);
+                                             return isOutside(at);
                                          })));
         };
         if (line.closed)
@@ -390,15 +398,22 @@ private:
         return {near, (b - a).cross(c - a).normalized(), (at - near).norm()};
     }
 
-    /// Whether a place lies beside the form, outside of its border or of a sharp edge.
+    /// Or outside of a sharp edge, where the form goes on in another direction.
+    bool isOutside(const Vec3& at) const
+    {
+        constexpr double beside = 0.05, same = 1e-6; // mm
+        const Vec3 place = m_tree.nearestTo(at).at;
+        const std::optional<Vec3> edge = m_sharp.nearest(place);
+        return isBeyond(at) || ((place - at).norm() >= beside && edge && (*edge - place).norm() < same);
+    }
+
+    /// Whether a place lies beside the form, outside of its border.
     bool isBeyond(const Vec3& at) const
     {
         constexpr double beside = 0.05, same = 1e-6; // mm
         const auto [place, face] = faceNear(at);
         if ((place - at).norm() < beside)
             return false;
-        if (const std::optional<Vec3> edge = m_sharp.nearest(place); edge && (*edge - place).norm() < same)
-            return true;
         const Kernel::Point_3 near = toCgal(place);
         for (const auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(face))) {
             const Kernel::Point_3 &a = m_form.mesh.point(m_form.mesh.source(half)),
@@ -528,7 +543,7 @@ private:
     {
         if (line.closed)
             return {false, false};
-        const auto isInside = [&](const Vec3& at) { return !isBeyond(at); };
+        const auto isInside = [&](const Vec3& at) { return !isOutside(at); };
         const auto first = std::ranges::find_if(places, isInside);
         if (first == places.end())
             return {false, false};

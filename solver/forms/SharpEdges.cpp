@@ -192,9 +192,9 @@ bool SharpEdges::runsAlong(const Vec3& at, const Vec3& direction) const
     return any;
 }
 
-std::vector<LineRun> SharpEdges::runsOf(std::vector<Vec3> places, bool closed) const
+std::vector<LineRun> SharpEdges::runsOf(std::vector<Place> places, bool closed) const
 {
-    const auto isNear = [&](const Vec3& at) { return nearest(at).has_value(); };
+    const auto isNear = [&](const Place& place) { return nearest(place.onForm).has_value(); };
     if (closed) { // it begins where it runs along none
         const auto off = std::find_if_not(places.begin(), places.end(), isNear);
         if (off != places.end()) {
@@ -219,8 +219,8 @@ std::vector<LineRun> SharpEdges::runsOf(std::vector<Vec3> places, bool closed) c
             runs.push_back(std::move(run));
         } else {
             end = std::max(end, begin + 1);
-            between.places.insert(between.places.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
-                                  places.begin() + static_cast<std::ptrdiff_t>(end));
+            for (std::size_t k = begin; k < end; ++k)
+                between.places.push_back(places[k].at);
         }
         begin = end;
     }
@@ -237,14 +237,14 @@ std::vector<LineRun> SharpEdges::runsOf(std::vector<Vec3> places, bool closed) c
 }
 
 /// Of places near sharp edges: whether most of them are on the way along one.
-LineRun SharpEdges::runOf(const std::vector<Vec3>& places, std::size_t begin, std::size_t end) const
+LineRun SharpEdges::runOf(const std::vector<Place>& places, std::size_t begin, std::size_t end) const
 {
     LineRun run;
     std::size_t along = 0;
     for (std::size_t k = begin; k < end; ++k) {
-        const Vec3 way = places[std::min(k + 1, places.size() - 1)] - places[k > 0 ? k - 1 : 0];
-        along += runsAlong(places[k], way.normalized()) ? 1 : 0;
-        run.places.push_back(nearest(places[k]).value_or(places[k]));
+        const Vec3 way = places[std::min(k + 1, places.size() - 1)].at - places[k > 0 ? k - 1 : 0].at;
+        along += runsAlong(places[k].onForm, way.normalized()) ? 1 : 0;
+        run.places.push_back(nearest(places[k].onForm).value_or(places[k].onForm));
     }
     run.onEdges = lengthOf(run.places) >= leastRun &&
                   static_cast<double>(along) >= mostAlong * static_cast<double>(end - begin);

@@ -20,9 +20,13 @@ class SharpEdges {
 public:
     explicit SharpEdges(const TriangleSoup& form);
 
+    /// Of a line, which may lie beside the form.
+    struct Place {
+        Vec3 at, onForm; ///< mm
+    };
     /// A line whose places are few mm apart; one run where it nowhere runs along an edge. In a closed one the first
     /// place comes again at the end.
-    std::vector<LineRun> runsOf(std::vector<Vec3> places, bool closed) const;
+    std::vector<LineRun> runsOf(std::vector<Place> places, bool closed) const;
 
     /// Of a place that lies by a sharp edge.
     std::optional<Vec3> nearest(const Vec3& at) const;
@@ -37,7 +41,7 @@ private:
     template <class Visit>
     void eachBeside(const Vec3& at, const Visit& visit) const;
     bool runsAlong(const Vec3& at, const Vec3& direction) const;
-    LineRun runOf(const std::vector<Vec3>& places, std::size_t begin, std::size_t end) const;
+    LineRun runOf(const std::vector<Place>& places, std::size_t begin, std::size_t end) const;
     std::set<std::size_t> segmentsBeside(const LineRun& run) const;
 
     std::vector<Segment> m_segments;
