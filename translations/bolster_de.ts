@@ -9792,6 +9792,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel), %3 auf 99 % der Fläche, %4 an der stärksten Stelle</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“, oder halten Sie ihn mit einer Fixierung.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

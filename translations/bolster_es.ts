@@ -9792,6 +9792,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>La más deformada: %1, %2 (RMS), %3 en el 99 % de su superficie, %4 donde es máximo</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: marque «Mantiene la funda fuera» en el armazón, o sujétela con una fijación.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9792,6 +9792,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>La plus déformée&#x202f;: %1, %2 (RMS), %3 sur 99 % de sa surface, %4 au plus fort</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature, ou tenez-la par une fixation.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9792,6 +9792,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>Più deformato: %1, %2 (rms), %3 sul 99 % della sua area, %4 dove è massimo</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: spuntare «Tiene fuori il rivestimento» nel telaio, o tenerlo con un fissaggio.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

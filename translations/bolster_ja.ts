@@ -9766,6 +9766,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>最大ひずみ: %1、%2 (RMS)、面積の 99 % で %3 以内、最大の所で %4</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。フレームで「カバーを外側に保つ」にチェックを入れるか、固定してください。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

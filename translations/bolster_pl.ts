@@ -9818,6 +9818,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>Najbardziej odkształcony: %1, %2 (RMS), %3 na 99 % powierzchni, %4 w najgorszym miejscu</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: zaznacz przy stelażu „Nie wpuszcza pokrowca” albo przytrzymaj go mocowaniem.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

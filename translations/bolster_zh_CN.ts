@@ -9766,6 +9766,10 @@
         <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
         <translation>应变最大：%1，%2（均方根），99 % 面积内 %3，最大处 %4</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>静止的面套在无固定处偏离形体最多 %1：请在骨架处勾选“挡住面套”，或用固定将其固定。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -1,6 +1,7 @@
 #include "FormPatternJob.h"
 
 #include "FileGuess.h"
+#include "FormTree.h"
 #include "MeshImport.h"
 #include "RestingSolve.h"
 #include "SolveFailure.h"
@@ -175,14 +176,34 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
     return made;
 }
 
+namespace {
+
+/// How far a cover lies from a form at most, mm.
+double distanceFrom(const Form& form, const SurfaceMesh& cover, const std::stop_token& stop)
+{
+    std::vector<FormTree::Triangle> triangles;
+    for (const FormPiece& piece : form.pieces)
+        for (const auto& [a, b, c] : piece.triangles)
+            triangles.push_back(
+                {form.points[piece.points[a]], form.points[piece.points[b]], form.points[piece.points[c]]});
+    const FormTree tree(std::move(triangles), stop);
+    double most = 0;
+    for (std::size_t v = 0; v < cover.positions.size() && !stop.stop_requested(); ++v)
+        most = std::max(most, (tree.nearestTo(cover.positions[v]).at - cover.positions[v]).norm());
+    return most;
+}
+
+} // namespace
+
 FormCover coverOfForm(const FormCoverWanted& wanted, const std::stop_token& stop)
 {
-    FormCover cover{wanted.number, false, {}};
+    FormCover cover{wanted.number, false, {}, 0};
     try {
         const SolveResult solved = solveResting(wanted.input, {.lenient = true}, stop);
         cover.atRest = solved.status == SolveResult::Status::Solved;
         if (!cover.atRest || stop.stop_requested())
             return cover;
+        cover.beside = distanceFrom(wanted.of->form, *solved.surface, stop);
         FrameDistance frames;
         for (CoverFinding& finding :
              coverFindings(*solved.surface, wanted.input.design, wanted.input.files, frames))

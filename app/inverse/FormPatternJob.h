@@ -107,12 +107,14 @@ private:
 struct FormCoverWanted {
     int number = 0;
     SolveInput input;
+    std::shared_ptr<const FormMade> of;
 };
 
 struct FormCover {
     int number = 0;
     bool atRest = false;
     std::vector<CoverFinding> findings; ///< cloth that is strained too much, or folds
+    double beside = 0;                  ///< mm: how far it lies from the form at most
 };
 
 FormCover coverOfForm(const FormCoverWanted& wanted, const std::stop_token& stop);

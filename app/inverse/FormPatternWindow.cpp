@@ -49,6 +49,8 @@ namespace bolster {
 namespace {
 
 constexpr double besidePattern = 100; // mm
+constexpr double leastBeside = 15;    // mm, and
+constexpr double shareBeside = 0.04;  // of the form's size: a cover that lies so far off is not what was wanted
 constexpr int mostLinesSaid = 9;      // that are seen at once
 constexpr float hiddenLines = 0.25F;  // share of their opacity behind the form
 constexpr std::size_t mostNotes = 5;  // of pieces that are left out
@@ -667,7 +669,7 @@ void FormPatternWindow::solveCover()
         vertexCount(patternArea(now->pattern.design), now->pattern.design.settings().edgeLength) >
             FormPattern::manyVertices)
         return;
-    FormCoverWanted wanted{m_asked, {now->pattern.design}};
+    FormCoverWanted wanted{m_asked, {now->pattern.design}, m_made};
     const auto mesh = m_session.files().meshes.find(static_cast<ElementId>(m_form->currentData().toUInt()));
     if (frame() && frame()->contact && mesh != m_session.files().meshes.end()) {
         const Edit added = edits::addElement(wanted.input.design, frameElement());
@@ -684,6 +686,13 @@ void FormPatternWindow::sayCover(QStringList& lines) const
         lines << tr("Its cover is being solved \u2026");
     if (!m_cover)
         return;
+    Box3 box;
+    for (const Vec3& point : m_made->form.points)
+        box.extend(point);
+    if (m_cover->beside > std::max(leastBeside, shareBeside * box.diagonal().norm()))
+        lines << tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: tick \"Keeps the "
+                    "cover outside\" at the frame, or hold it by a fixation.")
+                     .arg(lengthText(m_cover->beside, 0));
     if (!m_cover->atRest)
         lines << tr("Its cover does not come to rest.");
     else if (m_cover->findings.empty())
@@ -755,6 +764,7 @@ void FormPatternWindow::say()
             (widest < FormPattern::equallyLong
                  ? tr("%n seams, whose sides are equally long", nullptr, seams)
                  : tr("%n seams, whose sides differ by %1 at most", nullptr, seams).arg(lengthText(widest, 2)));
+    sayCover(lines);
     const std::vector<Message>& notes = m_made->pattern.notes; // a line for each piece that is left out
     const std::size_t told = notes.size() > mostNotes ? mostNotes - 1 : notes.size();
     for (std::size_t k = 0; k < told; ++k)
@@ -769,7 +779,6 @@ void FormPatternWindow::say()
         lines << tr("Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most")
                      .arg(isolated(QString::fromStdString(where)), percentText(rms), percentText(most),
                           percentText(mostAnywhere));
-    sayCover(lines);
     if (over > 0)
         lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
                     "(yellow): divide them, or cut them in there.",

@@ -59,7 +59,7 @@ void keepRoom(QLabel& label, int width, const QString& text)
 } // namespace
 
 PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection, const Views& views,
-                                   std::shared_ptr<FitWishes> remembered, QWidget* parent)
+                                   std::shared_ptr<FitMemory> remembered, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
@@ -88,8 +88,9 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
     connect(&m_slider, &QTimer::timeout, this, &PatternFitWindow::measure);
     build();
     keepEnterInNumbers(*this);
-    m_order->fillIn(*m_remembered);
+    m_order->fillIn(m_remembered->wishes);
     setRunning(false);
+    recall();
     connect(&m_document, &Document::changed, this, &PatternFitWindow::documentChanged);
     connect(&m_document, &Document::gestureEnded, this, &PatternFitWindow::previewEnded);
     connect(&m_document, &Document::historyReplaced, this, &QDialog::close);
@@ -97,11 +98,30 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
 
 PatternFitWindow::~PatternFitWindow()
 {
-    *m_remembered = m_order->wishes();
     m_job.cancel();
     m_measuring.cancel();
     m_gesture.reset();
     m_pattern.showArrows({});
+    *m_remembered = {m_order->wishes(), std::move(m_start), std::move(m_wanted),
+                     m_sought,          std::move(m_found), m_lead,
+                     m_whole,           std::move(m_taken), m_takenFigures};
+}
+
+void PatternFitWindow::recall()
+{
+    if (!m_remembered->found)
+        return;
+    m_start = m_remembered->start;
+    m_wanted = m_remembered->wanted;
+    m_sought = m_remembered->sought;
+    m_found = m_remembered->found;
+    m_lead = m_remembered->lead;
+    m_whole = m_remembered->whole;
+    m_taken = m_remembered->taken;
+    m_takenFigures = m_remembered->takenFigures;
+    fillPatches();
+    m_aside = true;
+    documentChanged();
 }
 
 void PatternFitWindow::build()

@@ -26,6 +26,19 @@ class PatternView;
 class RunRow;
 class Selection;
 
+/// How changes were asked for, and what was found: it is there again when the window is.
+struct FitMemory {
+    FitWishes wishes;
+    Design start;
+    FitWanted wanted;
+    FitOrderPanel::Goals sought;
+    std::optional<FitFound> found;
+    QString lead;
+    std::optional<FitFigures> whole;
+    std::optional<Design> taken;
+    std::optional<FitFigures> takenFigures;
+};
+
 class PatternFitWindow : public QDialog {
     Q_OBJECT
 
@@ -37,7 +50,7 @@ public:
     };
     /// Begins as `remembered` says, which says then how it was when it was closed.
     PatternFitWindow(DesignSession& session, Selection& selection, const Views& views,
-                     std::shared_ptr<FitWishes> remembered, QWidget* parent = nullptr);
+                     std::shared_ptr<FitMemory> remembered, QWidget* parent = nullptr);
     ~PatternFitWindow() override;
 
     /// Whether changes were found that can be taken.
@@ -79,13 +92,14 @@ private:
     QString takenText() const;
     void documentChanged();
     void comeBack();
+    void recall();
 
     DesignSession& m_session;
     Document& m_document;
     PatternView& m_pattern;
 
     FitOrderPanel* m_order;
-    std::shared_ptr<FitWishes> m_remembered;
+    std::shared_ptr<FitMemory> m_remembered;
     RunRow* m_run = nullptr;
     QPushButton* m_take = nullptr;
     QLabel *m_said = nullptr, *m_notes = nullptr;

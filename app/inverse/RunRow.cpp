@@ -2,6 +2,7 @@
 
 #include "Jobs.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
@@ -20,7 +21,13 @@ RunRow::RunRow(QString text, QString job, QWidget* parent)
     keeps.setRetainSizeWhenHidden(true);
     m_bar->setSizePolicy(keeps);
     m_button->setDefault(true);
-    connect(m_button, &QPushButton::clicked, this, [this] { m_running ? emit stopped() : emit started(); });
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        if (m_running) {
+            emit stopped();
+            m_ended.invalidate();
+        } else if (!m_ended.isValid() || m_ended.hasExpired(QApplication::doubleClickInterval()))
+            emit started();
+    });
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins({});
     row->addWidget(m_bar, 1);
@@ -32,6 +39,8 @@ RunRow::~RunRow() = default;
 
 void RunRow::setRunning(bool running)
 {
+    if (m_running && !running)
+        m_ended.start();
     m_running = running ? std::make_unique<RunningJob>(m_job, [this] { emit stopped(); }) : nullptr;
     m_button->setText(running ? tr("&Stop") : m_text);
     m_bar->setVisible(running);

@@ -1,6 +1,7 @@
 // Starts long work, shows how far it is, here and in the list of jobs, and stops it.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include <functional>
@@ -44,6 +45,7 @@ private:
     QPushButton* m_button;
     std::unique_ptr<RunningJob> m_running;
     int m_run = 0;
+    QElapsedTimer m_ended; ///< since it came to its end: who means to stop it shall not begin again
 };
 
 } // namespace bolster

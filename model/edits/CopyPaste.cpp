@@ -77,6 +77,10 @@ public:
             curve.name = freeName<FixationCurve>(m_builder.now(), curve.name);
             m_new[id] = m_builder.add(std::move(curve));
         });
+        for (const auto& [old, id] : m_new) {
+            followTwin<Patch>(id);
+            followTwin<FixationCurve>(id);
+        }
         for (const auto& [id, element] : source.elements())
             if (liesOnPatch(*element))
                 addDependent(source, *element);
@@ -102,6 +106,21 @@ private:
                 same = id;
         });
         return same ? *same : m_builder.add(fabric);
+    }
+
+    /// Copies of twins are each other's; that of one alone is nobody's.
+    template <class T>
+    void followTwin(ElementId id)
+    {
+        const T* copy = m_builder.now().find<T>(id);
+        if (!copy || !copy->twin)
+            return;
+        T changed = *copy;
+        if (has(changed.twin->of))
+            changed.twin->of = m_new.at(changed.twin->of);
+        else
+            changed.twin.reset();
+        m_builder.replace(id, std::move(changed));
     }
 
     bool has(ElementId id) const { return m_new.contains(id); }

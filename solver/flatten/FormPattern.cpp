@@ -37,7 +37,8 @@ constexpr std::size_t mostNamed = 3; // pieces in a sentence
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double unbearable = 0.5;   // strain: not even knitted fabrics
 constexpr double narrowest = 0.1;    // mm: nobody sews less
-constexpr double sameShape = 0.5;    // mm: from each other's mirror image are twins
+constexpr double shortestCurve = 0.05; // mm: holds nothing
+constexpr double sameShape = 0.5;      // mm: from each other's mirror image are twins
 
 constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
 constexpr double mostTimes = 20;                 // as many samples as an edge of usual length has
@@ -672,6 +673,8 @@ private:
             laid = {flatPoint(p, index)};
         }
         samples.end = at;
+        if (lengthsAlong(samples.points).back() < shortestCurve)
+            return;
         FixationCurve curve;
         curve.name = m_names.free(piece(p).name);
         curve.curve = fitCurve(samples, m_order.tolerance);

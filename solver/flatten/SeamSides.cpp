@@ -15,7 +15,7 @@ namespace {
 
 constexpr int sideRounds = 4;
 constexpr double equal = 0.01;          // mm
-constexpr double farthestPoint = 0.5;   // mm, of a control point
+constexpr double farthestPoint = 1;     // mm, of a control point
 constexpr double differences = 1e-3;    // mm, for derivatives
 constexpr double onALine = 1e-6;        // mm
 constexpr double hardlySolvable = 1e-9; // of the largest: sides that no point can change

@@ -965,6 +965,9 @@ TEST_F(BothWaysTest, TheCauseOfAScannedPieceIsNamed)
     EXPECT_TRUE(window.selection().elements().contains(wide->element)) << "the views show where";
 
     const int causesListed = list->topLevelItemCount();
+    pressIn(*dialog, "Look for the cause"); // who wanted to press Stop a moment too late
+    EXPECT_EQ(list->topLevelItemCount(), causesListed);
+    QTest::qWait(QApplication::doubleClickInterval() + 50);
     pressIn(*dialog, "Look for the cause");
     pressIn(*dialog, "Stop");
     EXPECT_TRUE(dialog->found().has_value());

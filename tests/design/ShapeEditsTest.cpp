@@ -2,6 +2,7 @@
 #include "CopyPaste.h"
 #include "CornerEdits.h"
 #include "DesignCheck.h"
+#include "EditBuilder.h"
 #include "ElementEdits.h"
 #include "LayoutEdits.h"
 #include "LengthEdits.h"
@@ -384,6 +385,39 @@ TEST(LengthEdits, ASmoothOutlineReachesTheLength)
         const Edit edit = edits::setLengthBetween(design, ElementId{2}, 1, 3, length);
         ASSERT_FALSE(edit.empty()) << length;
         EXPECT_NEAR(edits::lengthBetween(design.with(edit), ElementId{2}, 1, 3), length, 1e-5);
+    }
+}
+
+/// They followed whatever had the original's number in the design that they came to.
+TEST(CopyPaste, CopiesOfTwinsAreEachOthers)
+{
+    const Design twins = test::soundDesign(R"({"format": "bolster-design", "version": 1, "unit": "mm", "elements": [
+  {"id": 1, "kind": "fabric", "name": "Leather"},
+  {"id": 2, "kind": "patch", "name": "Left", "fabric": 1,
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[100,0],[100,50],[0,50]]}},
+  {"id": 3, "kind": "patch", "name": "Right", "fabric": 1, "twin": {"of": 2},
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[-100,0],[-100,50],[0,50]]}}]})");
+    constexpr ElementId original{2}, follower{3};
+    for (int others : {0, 5}) {
+        EditBuilder there{Design()};
+        for (int k = 0; k < others; ++k)
+            there.add(Fabric{.name = "Other"});
+        const Design before = there.now();
+        const Outcome both = paste(before, copyText(twins, std::vector{original, follower}), Vec2(0, 0));
+        const Design now = before.with(both.edit);
+        int following = 0;
+        now.each<Patch>([&](ElementId id, const Patch& patch) {
+            if (!patch.twin)
+                return;
+            ++following;
+            EXPECT_NE(patch.twin->of, id);
+            EXPECT_TRUE(now.find<Patch>(patch.twin->of)) << others;
+        });
+        EXPECT_EQ(following, 1) << others;
+        const Outcome alone = paste(before, copyText(twins, std::vector{follower}), Vec2(0, 0));
+        before.with(alone.edit).each<Patch>([&](ElementId, const Patch& patch) {
+            EXPECT_FALSE(patch.twin) << "that of one alone is nobody's";
+        });
     }
 }
 

@@ -51,7 +51,7 @@ InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     , m_alsoThere(commands.list({"edit.undo", "edit.redo", "file.save", "file.quit", "pattern.from-form",
                                  "pattern.fit", "pattern.relieve", "pattern.explain", "pattern.tolerances"}))
     , m_formWishes(std::make_shared<FormPatternWishes>())
-    , m_fitWishes(std::make_shared<FitWishes>())
+    , m_fits(std::make_shared<FitMemory>())
     , m_sweepWishes(std::make_shared<SweepWishes>())
     , m_reliefs(std::make_shared<ReliefMemory>())
     , m_causes(std::make_shared<CauseMemory>())
@@ -61,7 +61,7 @@ InverseCommands::InverseCommands(Commands& commands, const Parts& parts)
     connect(&parts.session.document(), &Document::historyReplaced, this, [this] {
         m_viewOfStep.reset();
         m_formWishes = std::make_shared<FormPatternWishes>();
-        m_fitWishes = std::make_shared<FitWishes>();
+        m_fits = std::make_shared<FitMemory>();
         m_sweepWishes = std::make_shared<SweepWishes>();
         m_reliefs = std::make_shared<ReliefMemory>();
         m_causes = std::make_shared<CauseMemory>();
@@ -93,7 +93,7 @@ void InverseCommands::addCommands(Commands& commands)
                       show(m_fit, [this] {
                           return new PatternFitWindow(
                               m_parts.session, m_parts.selection,
-                              {m_parts.pattern, {m_parts.solver, m_parts.maps, m_parts.cover}}, m_fitWishes,
+                              {m_parts.pattern, {m_parts.solver, m_parts.maps, m_parts.cover}}, m_fits,
                               &m_parts.window);
                       });
                   }});

@@ -16,7 +16,7 @@ namespace bolster {
 class Commands;
 class CoverView;
 class DesignSession;
-struct FitWishes;
+struct FitMemory;
 struct FormPatternWishes;
 class MapLink;
 class PatternView;
@@ -52,7 +52,7 @@ private:
     Parts m_parts;
     QList<QAction*> m_alsoThere;                     ///< whose keys do in the windows what they do in the main one
     std::shared_ptr<FormPatternWishes> m_formWishes; ///< of the design that is open
-    std::shared_ptr<FitWishes> m_fitWishes;          ///< likewise
+    std::shared_ptr<FitMemory> m_fits;               ///< likewise
     std::shared_ptr<SweepWishes> m_sweepWishes;      ///< likewise
     std::shared_ptr<ReliefMemory> m_reliefs;         ///< likewise
     std::shared_ptr<CauseMemory> m_causes;           ///< likewise
