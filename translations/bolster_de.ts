@@ -6010,8 +6010,8 @@
         <translation>%1 verläuft bei %2 am Rand der Form oder dort, wo sie ohnehin geschnitten wird: Da ist nichts zu schneiden</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%1 hat keine Länge, bei %2: Dort wird nicht geschnitten</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%1 ist zu kurz oder zu lang, bei %2: Dort wird nicht geschnitten</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

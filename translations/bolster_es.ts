@@ -6010,8 +6010,8 @@
         <translation>%1 va por el borde de la forma o por donde ya se corta, en %2: no hay nada que cortar</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%1 no tiene longitud, en %2: no se corta por ahí</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%1 es demasiado corta o demasiado larga, en %2: no se corta por ahí</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

@@ -6010,8 +6010,8 @@
         <translation>%1 suit le bord de la forme, ou un endroit déjà coupé, à %2&#x202f;: il n’y a rien à couper</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%1 n’a pas de longueur, à %2&#x202f;: il n’y a pas de coupe à cet endroit</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%1 est trop courte ou trop longue, à %2&#x202f;: il n’y a pas de coupe à cet endroit</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

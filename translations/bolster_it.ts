@@ -6010,8 +6010,8 @@
         <translation>%1 corre lungo il bordo della forma, o dove la si taglia comunque, in %2: non c’è niente da tagliare</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%1 non ha lunghezza, in %2: lì non si taglia</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%1 è troppo corta o troppo lunga, in %2: lì non si taglia</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

@@ -6006,8 +6006,8 @@
         <translation>%1 は %2 で形状の縁、またはすでに切る所に沿っています。切るものはありません</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%2 の %1 には長さがないため、これに沿って切りません</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%2 の %1 は短すぎるか長すぎるため、これに沿って切りません</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

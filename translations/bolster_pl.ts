@@ -6014,8 +6014,8 @@
         <translation>%1 biegnie wzdłuż brzegu formy albo tam, gdzie i tak się ją tnie, w %2: nie ma czego ciąć</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%1 nie ma długości, w %2: nie ma tam cięcia</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%1 jest za krótka lub za długa, w %2: nie ma tam cięcia</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

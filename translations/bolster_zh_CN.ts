@@ -6006,8 +6006,8 @@
         <translation>%1 在 %2 处沿着形体的边界或本来就要裁开的地方：没有可裁的</translation>
     </message>
     <message>
-        <source>%1 has no length, at %2: it is not cut along it</source>
-        <translation>%1 在 %2 处没有长度：不沿其切分</translation>
+        <source>%1 is too short or too long, at %2: it is not cut along it</source>
+        <translation>%1 在 %2 处过短或过长：不沿其切分</translation>
     </message>
     <message>
         <source>%1 is %2 mm away from the form, at %3: it is not cut along it</source>

@@ -25,7 +25,7 @@ namespace Pmp = CGAL::Polygon_mesh_processing;
 
 constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
 constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
-constexpr double shortest = 1, longest = 1e5;    // mm, of a line
+constexpr double shortest = 5, longest = 1e5;    // mm, of a line
 constexpr double farthest = 25;                  // mm: what lies farther from the form is no line on it
 constexpr double reach = 10; // mm: a line that ends so near to a border or another line goes on to it
 constexpr double leastLoop = 5 * reach;
@@ -219,7 +219,7 @@ private:
     Message whyRefused(const FormLine& line) const
     {
         if (const double length = lengthOf(line); !(length > shortest && length < longest))
-            return {QT_TRANSLATE_NOOP("Message", "%1 has no length, at %2: it is not cut along it"),
+            return {QT_TRANSLATE_NOOP("Message", "%1 is too short or too long, at %2: it is not cut along it"),
                     {line.name, middleOf(line)}};
         if (const auto [away, at] = distanceOf(line); away > farthest)
             return {QT_TRANSLATE_NOOP("Message", "%1 is %2 mm away from the form, at %3: it is not cut along it"),

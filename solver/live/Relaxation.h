@@ -20,6 +20,8 @@ public:
     Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, Ghosts ghosts = {},
                const std::stop_token& stop = {});
 
+    /// Gives back the memory that only iterations need, half of all: there can be none any more.
+    void release() { m_optimizer.release(); }
     /// Momentum all the way, to compare with.
     void doNotMix() { m_mayMix = false; }
     /// From the start that depends on the design alone.

@@ -121,18 +121,19 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
     if (relaxation.phase() == Relaxation::Phase::Failed)
         return failed(std::move(result), explainFailure(relaxation, sheet->design).reason);
 
-    result.report = reportOn(*sheet, relaxation);
-    result.report.time.total = watch.elapsed(); // with what lies between the stages
-    if (result.report.flippedTriangles > 0)
-        result.warnings.push_back(flippedWarning(result.report.flippedTriangles, result.report.triangles));
-    result.surface = makeSurface(sheet->mesh, relaxation.state(), 0);
-    result.report.scans = measureScans({sheet->design, sheet->files}, *result.surface, ghostCache.scans, pool);
     if (relaxation.phase() == Relaxation::Phase::Converged) {
         result.status = SolveResult::Status::Solved;
     } else {
         result.status = SolveResult::Status::NotConverged;
         result.reason = unrest(relaxation, sheet->mesh.largestDiameter());
     }
+    relaxation.release();
+    result.report = reportOn(*sheet, relaxation);
+    result.report.time.total = watch.elapsed(); // with what lies between the stages
+    if (result.report.flippedTriangles > 0)
+        result.warnings.push_back(flippedWarning(result.report.flippedTriangles, result.report.triangles));
+    result.surface = makeSurface(sheet->mesh, relaxation.state(), 0);
+    result.report.scans = measureScans({sheet->design, sheet->files}, *result.surface, ghostCache.scans, pool);
     return result;
 }
 

@@ -261,6 +261,16 @@ void SheetOptimizer::standStill()
     m_drift = m_positions->x();
 }
 
+void SheetOptimizer::release()
+{
+    m_positions.reset();
+    m_frames.reset();
+    m_mixing = {};
+    m_map.resize(4, 0);
+    m_forces.resize(4, 0);
+    m_stretch.resize(4, 0);
+}
+
 void SheetOptimizer::retarget()
 {
     startHere();

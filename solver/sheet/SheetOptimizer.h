@@ -50,6 +50,8 @@ public:
     /// Makes the present positions those at rest, until the next restart: from now on each step goes without what
     /// L1 would move them by now, which is a load that stays.
     void standStill();
+    /// Of what only iterations need; there can be none any more.
+    void release();
     /// Accepts moved targets and changed pressure or Poisson parameters; positions go on from where they are.
     void retarget();
 

@@ -103,6 +103,9 @@ protected:
             10000);
     }
 
+    /// What begins and stops work takes no click as soon as it has ended: that was meant to stop it.
+    static void waitAsAHandDoes() { QTest::qWait(QApplication::doubleClickInterval() + 50); }
+
     static void pressIn(QWidget& dialog, const QString& text)
     {
         for (auto* button : dialog.findChildren<QPushButton*>())
@@ -967,7 +970,7 @@ TEST_F(BothWaysTest, TheCauseOfAScannedPieceIsNamed)
     const int causesListed = list->topLevelItemCount();
     pressIn(*dialog, "Look for the cause"); // who wanted to press Stop a moment too late
     EXPECT_EQ(list->topLevelItemCount(), causesListed);
-    QTest::qWait(QApplication::doubleClickInterval() + 50);
+    waitAsAHandDoes();
     pressIn(*dialog, "Look for the cause");
     pressIn(*dialog, "Stop");
     EXPECT_TRUE(dialog->found().has_value());
@@ -999,6 +1002,7 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     for (auto* box : dialog->findChildren<NumberBox*>())
         if (box->suffix().isEmpty())
             box->setValue(20); // more of them go on from there
+    waitAsAHandDoes();
     pressIn(*dialog, "Draw pieces");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found()->whole && dialog->found()->solved == 20; }, 240000));
     EXPECT_EQ(dialog->found()->known.linear, before.linear);

@@ -370,12 +370,13 @@ TEST(FormLines, ThatAreRefusedLeadNobodyOn)
 
 TEST(FormLines, WithoutLengthChangeNothing)
 {
-    const Form form =
-        cutAlongLines(halfPipe(radius, height), {{"Point", {{0, -radius, 90}, {0, -radius, 90}}, false},
-                                                 {"Huge", {{0, -radius, 90}, {1e300, 0, 0}}, false}});
+    const Form form = cutAlongLines(halfPipe(radius, height),
+                                    {{"Point", {{0, -radius, 90}, {0, -radius, 90}}, false},
+                                     {"Dot", {{0, -radius, 90}, {1, -radius, 90}, {1, -radius, 91}}, true},
+                                     {"Huge", {{0, -radius, 90}, {1e300, 0, 0}}, false}});
     ASSERT_TRUE(form.problem.empty()) << form.problem.english();
     EXPECT_EQ(form.pieces.size(), 1U);
-    EXPECT_EQ(form.notes.size(), 2U);
+    EXPECT_EQ(form.notes.size(), 3U) << "each says so";
 }
 
 /// A ring that is flat already opens nowhere where it is cut open.

@@ -101,7 +101,7 @@ void addCornersOf(std::vector<ReliefMove>& moves, ElementId id, const Patch& pat
             continue; // no corner to be let out
         Freedom freedom{.kind = Freedom::Kind::OutlinePoint, .element = id, .index = outline.pointAt(corner)};
         freedom.direction = (in - out).normalized() * (turn > 0 ? 1 : -1);
-        const Vec2 at = outline.at(corner);
+        const Vec2 at = toLayout(patch, outline.at(corner)); // as rulers have it
         moves.push_back({Relief::Kind::Corner,
                          id,
                          {std::move(freedom)},
