@@ -1039,6 +1039,7 @@ TEST_F(BothWaysTest, TolerancesAreShownOnTheCoverUntilTheWindowIsClosed)
     for (auto* box : dialog->findChildren<NumberBox*>())
         if (box->suffix().isEmpty())
             box->setValue(10'000); // more than anybody waits for
+    waitAsAHandDoes();
     pressIn(*dialog, "Draw pieces");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found()->resting > 20; }, 240000));
     EXPECT_FALSE(dialog->found()->whole);
