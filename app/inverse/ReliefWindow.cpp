@@ -161,6 +161,7 @@ void ReliefWindow::find()
     if (!takeTyped(*this))
         return;
     m_document.cancelGesture();
+    m_before = m_aside ? std::nullopt : std::move(m_found);
     m_found.reset();
     m_made.reset();
     putAside({});
@@ -184,6 +185,11 @@ void ReliefWindow::stop()
     m_job.cancel();
     m_run->setRunning(false);
     m_said->setText(m_found ? tr("Stopped. These are solved:") : tr("Stopped; nothing has changed."));
+    if (!m_found && m_before) { // who meant to stop what had just ended
+        m_found = std::exchange(m_before, std::nullopt);
+        m_aside = false;
+        showFound();
+    }
 }
 
 void ReliefWindow::take(ReliefFound found)

@@ -71,6 +71,7 @@ private:
 
     Design m_start; ///< of what is sought or was found
     std::optional<ReliefFound> m_found;
+    std::optional<ReliefFound> m_before;        ///< of the same design, until the search has found something
     bool m_aside = false;                       ///< what was found: it is kept for when the design is m_start again
     std::optional<Design> m_made;               ///< what the design has become by a relief of these
     LatestJob<ReliefWanted, ReliefFound> m_job; ///< last: it uses the others

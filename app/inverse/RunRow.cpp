@@ -2,12 +2,17 @@
 
 #include "Jobs.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
 
 namespace bolster {
+
+namespace {
+
+constexpr int tooLate = 1000; // ms
+
+} // namespace
 
 RunRow::RunRow(QString text, QString job, QWidget* parent)
     : QWidget(parent)
@@ -25,7 +30,7 @@ RunRow::RunRow(QString text, QString job, QWidget* parent)
         if (m_running) {
             emit stopped();
             m_ended.invalidate();
-        } else if (!m_ended.isValid() || m_ended.hasExpired(QApplication::doubleClickInterval()))
+        } else if (!m_ended.isValid() || m_ended.hasExpired(tooLate))
             emit started();
     });
     auto* row = new QHBoxLayout(this);

@@ -27,8 +27,9 @@ constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
 constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
 constexpr double shortest = 5, longest = 1e5;    // mm, of a line
 constexpr double farthest = 25;                  // mm: what lies farther from the form is no line on it
-constexpr double reach = 10; // mm: a line that ends so near to a border or another line goes on to it
-constexpr double leastLoop = 5 * reach;
+constexpr double reach =
+    11; // mm: a line that ends so near to a border or another line goes on to it: 10 as said, and 1 over
+constexpr double leastLoop = 50; // mm
 constexpr double overshoot = 1;  // mm, so that they surely cross
 constexpr double overEnd = 3;    // mm
 constexpr double sameLine = 2.5; // mm: nobody sews what is narrower
@@ -679,7 +680,7 @@ private:
         const std::string name = m_lines.empty() ? std::string() : m_lines[own].name;
         double border = std::numeric_limits<double>::infinity();
         for (const FormEdge e : m_form.mesh.edges())
-            if (m_form.mesh.is_border(e)) {
+            if (!m_form.cut[e] && isCutAnyway(e)) {
                 const auto [a, b] = endsOf(e);
                 border = std::min(border, segmentDistance<3>(at, a, b));
             }

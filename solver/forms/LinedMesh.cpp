@@ -254,7 +254,9 @@ bool LinedMesh::flattenCaps()
             cut[e] = false;
             cut[mesh.edge(mesh.next(longest))] = cut[mesh.edge(mesh.prev(longest))] = true;
         }
+        const Face low = mesh.face(longest), beside = mesh.face(other);
         CGAL::Euler::flip_edge(longest, mesh);
+        part[low] = part[beside]; // both are halves of the neighbour now
         any = true;
     }
     return any;

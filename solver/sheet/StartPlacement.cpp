@@ -20,7 +20,7 @@ namespace {
 /// Fixations that lie this nearly on one line do not say how the patch turns about it.
 constexpr double lineThreshold = 0.02;
 /// Degrees by which a rim turns more than the outline on it: a wall that goes around, which no rigid patch is like.
-constexpr double goesAround = 90;
+constexpr double goesAround = 30;
 constexpr std::size_t enoughFeet = 300;        // of a wall on a rim
 constexpr double flatRim = 0.1, wavyRim = 0.3; // of its radius, across its plane
 constexpr double leastTurn = 0.1;              // of a disc's area: what a rim must go around
@@ -527,7 +527,7 @@ std::vector<double> lifts(const SewnMesh& mesh, const SheetState& state)
     constexpr double thinnest = 0.02;  // of D
     constexpr double mostSlack = 0.06; // strain
     constexpr double lift = 0.006;
-    constexpr double higher = 0.15;      // times the strain
+    constexpr double higher = 0.3;      // times the strain
     constexpr double pressedBoth = 0.02; // strain: the larger one, on the average of what is pressed together
     std::vector<Flatness> all(mesh.diameter.size());
     for (const SewnMesh::Part& part : mesh.parts) {

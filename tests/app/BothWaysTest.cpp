@@ -104,7 +104,7 @@ protected:
     }
 
     /// What begins and stops work takes no click as soon as it has ended: that was meant to stop it.
-    static void waitAsAHandDoes() { QTest::qWait(QApplication::doubleClickInterval() + 50); }
+    static void waitAsAHandDoes() { QTest::qWait(1100); }
 
     static void pressIn(QWidget& dialog, const QString& text)
     {
