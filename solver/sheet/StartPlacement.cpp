@@ -527,7 +527,7 @@ std::vector<double> lifts(const SewnMesh& mesh, const SheetState& state)
     constexpr double thinnest = 0.02;  // of D
     constexpr double mostSlack = 0.06; // strain
     constexpr double lift = 0.006;
-    constexpr double higher = 0.3;      // times the strain
+    constexpr double higher = 0.3;       // times the strain
     constexpr double pressedBoth = 0.02; // strain: the larger one, on the average of what is pressed together
     std::vector<Flatness> all(mesh.diameter.size());
     for (const SewnMesh::Part& part : mesh.parts) {
