@@ -28,11 +28,12 @@ constexpr double ribbon = 1.5;                   // mm that a ribbon stands out 
 constexpr double shortest = 5, longest = 1e5;    // mm, of a line
 constexpr double farthest = 25;                  // mm: what lies farther from the form is no line on it
 constexpr double reach =
-    11; // mm: a line that ends so near to a border or another line goes on to it: 10 as said, and 1 over
-constexpr double leastLoop = 50; // mm
-constexpr double overshoot = 1;  // mm, so that they surely cross
-constexpr double overEnd = 3;    // mm
-constexpr double sameLine = 2.5; // mm: nobody sews what is narrower
+    11; // mm: a line that ends so near to a border or another line goes on to it (10, and 1 over)
+constexpr double leastLoop = 50;                   // mm
+constexpr double overshoot = 1;                    // mm, so that they surely cross
+constexpr double overEnd = 3;                      // mm
+constexpr double offForm = 0.05, samePlace = 1e-6; // mm
+constexpr double sameLine = 2.5;                   // mm: nobody sews what is narrower
 
 /// Which part the triangles belong to that others are divided into.
 struct PartsKept : Pmp::Corefinement::Default_visitor<CgalMesh> {
@@ -120,6 +121,13 @@ std::string middleOf(const FormLine& line)
     return placeText(line.points[line.points.size() / 2]);
 }
 
+/// A line that is not refused.
+struct CutLine {
+    FormLine line;
+    std::vector<Vec3> places = {}; ///< as it goes on to others
+    bool isCut = false;            ///< not where it cuts nothing, or not yet
+};
+
 class LineCutter {
 public:
     LineCutter(const TriangleSoup& form, const FormCuts& cuts, double apart, const std::stop_token& stop)
@@ -131,11 +139,8 @@ public:
         , m_sharp(m_soup)
     {
         for (const FormLine& line : m_cuts.lines)
-            if (m_whole && !stop.stop_requested() && line.points.size() > 1 && whyRefused(line).empty()) {
-                m_lines.push_back(line);
-                m_places.push_back(placesOf(line));
-            }
-        m_isCut.assign(m_lines.size(), false);
+            if (m_whole && !stop.stop_requested() && line.points.size() > 1 && whyRefused(line).empty())
+                m_lines.push_back({line, placesOf(line)});
     }
 
     bool whole() const { return m_whole; }
@@ -148,7 +153,8 @@ public:
     {
         m_soup = soup;
         m_notes = notes;
-        m_isCut.assign(m_lines.size(), true);
+        for (CutLine& each : m_lines)
+            each.isCut = true;
     }
 
     void cut(const FormLine& line, const std::stop_token& stop)
@@ -158,11 +164,11 @@ public:
             m_notes.push_back(std::move(why));
             return;
         }
-        m_current = static_cast<std::size_t>(std::ranges::find(m_lines, line) - m_lines.begin());
-        for (std::size_t k = 0; k < m_current; ++k)
-            if (m_isCut[k] && runsAlong(line, m_lines[k])) {
+        m_current = static_cast<std::size_t>(std::ranges::find(m_lines, line, &CutLine::line) - m_lines.begin());
+        for (const CutLine& earlier : std::span(m_lines).first(m_current))
+            if (earlier.isCut && runsAlong(line, earlier.line)) {
                 m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2, at %3: it is cut there once"),
-                                   {line.name, m_lines[k].name, middleOf(line)}});
+                                   {line.name, earlier.line.name, middleOf(line)}});
                 return;
             }
         const std::vector<FormLine> parts = awayFromBorder(comesBack(line) ? closed(line) : line);
@@ -171,7 +177,7 @@ public:
                 {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form, or where it is cut anyway, "
                                               "at %2: there is nothing to cut"),
                  {line.name, middleOf(line)}});
-        m_isCut[m_current] = !parts.empty();
+        m_lines[m_current].isCut = !parts.empty();
         for (const FormLine& part : parts)
             cutPart(part, stop);
     }
@@ -208,18 +214,10 @@ public:
     }
 
 private:
-    static double lengthOf(const FormLine& line)
-    {
-        double length = 0;
-        for (std::size_t k = 1; k < line.points.size(); ++k)
-            length += (line.points[k] - line.points[k - 1]).norm();
-        return length;
-    }
-
     /// Empty where it may be cut along it.
     Message whyRefused(const FormLine& line) const
     {
-        if (const double length = lengthOf(line); !(length > shortest && length < longest))
+        if (const double length = lengthOf(line.points); !(length > shortest && length < longest))
             return {QT_TRANSLATE_NOOP("Message", "%1 is too short or too long, at %2: it is not cut along it"),
                     {line.name, middleOf(line)}};
         if (const auto [away, at] = distanceOf(line); away > farthest)
@@ -231,7 +229,7 @@ private:
     /// Whether it would go on from its end to its own beginning.
     static bool comesBack(const FormLine& line)
     {
-        return !line.closed && line.points.size() > 3 && lengthOf(line) > leastLoop &&
+        return !line.closed && line.points.size() > 3 && lengthOf(line.points) > leastLoop &&
                (line.points.front() - line.points.back()).norm() < reach;
     }
 
@@ -309,7 +307,7 @@ private:
     void leadOn(std::vector<LineRun>& runs, const FormLine& line) const
     {
         const auto isOver = [&](const LineRun& run) {
-            const double length = lengthOf({{}, run.places});
+            const double length = lengthOf(run.places);
             return !run.onEdges &&
                    (length < overEnd || (length < 2 * reach && std::ranges::any_of(run.places, [&](const Vec3& at) {
                                              return isOutside(at);
@@ -360,7 +358,7 @@ private:
                     true));
         } catch (const Pmp::Corefinement::Self_intersection_exception&) {
             m_notes.push_back(whyNotCut(line, strip, near.mesh));
-            m_isCut[m_current] = false;
+            m_lines[m_current].isCut = false;
             return;
         }
         near.tidy(); // the next line meets whole triangles
@@ -399,34 +397,34 @@ private:
         return {near, (b - a).cross(c - a).normalized(), (at - near).norm()};
     }
 
-    /// Or outside of a sharp edge, where the form goes on in another direction.
-    bool isOutside(const Vec3& at) const
-    {
-        constexpr double beside = 0.05, same = 1e-6; // mm
-        const Vec3 place = m_tree.nearestTo(at).at;
-        const std::optional<Vec3> edge = m_sharp.nearest(place);
-        return isBeyond(at) || ((place - at).norm() >= beside && edge && (*edge - place).norm() < same);
-    }
-
     /// Whether a place lies beside the form, outside of its border.
     bool isBeyond(const Vec3& at) const
     {
-        constexpr double beside = 0.05, same = 1e-6; // mm
         const auto [place, face] = faceNear(at);
-        if ((place - at).norm() < beside)
+        if ((place - at).norm() < offForm)
             return false;
         const Kernel::Point_3 near = toCgal(place);
         for (const auto half : m_form.mesh.halfedges_around_face(m_form.mesh.halfedge(face))) {
             const Kernel::Point_3 &a = m_form.mesh.point(m_form.mesh.source(half)),
                                   &b = m_form.mesh.point(m_form.mesh.target(half));
-            const bool isAtCorner =
-                m_form.mesh.is_border(m_form.mesh.target(half)) && CGAL::squared_distance(near, b) < same * same;
+            const bool isAtCorner = m_form.mesh.is_border(m_form.mesh.target(half)) &&
+                                    CGAL::squared_distance(near, b) < samePlace * samePlace;
             const bool isOnEdge = m_form.mesh.is_border(m_form.mesh.edge(half)) &&
-                                  CGAL::squared_distance(near, Kernel::Segment_3(a, b)) < same * same;
+                                  CGAL::squared_distance(near, Kernel::Segment_3(a, b)) < samePlace * samePlace;
             if (isAtCorner || isOnEdge)
                 return true;
         }
         return false;
+    }
+
+    /// Or outside of a sharp edge, where the form goes on in another direction.
+    bool isOutside(const Vec3& at) const
+    {
+        if (isBeyond(at))
+            return true;
+        const Vec3 place = m_tree.nearestTo(at).at;
+        const std::optional<Vec3> edge = m_sharp.nearest(place);
+        return (place - at).norm() >= offForm && edge && (*edge - place).norm() < samePlace;
     }
 
     /// Whether the form ends there, or is cut there whatever lines say.
@@ -573,7 +571,7 @@ private:
                 look(nearestOnSegment<3>(end, a, b));
         for (std::size_t k = 0; k < m_lines.size(); ++k)
             if (k != m_current)
-                for (const Vec3& place : m_places[k])
+                for (const Vec3& place : m_lines[k].places)
                     if ((place - end).norm() < reach + farthest) // both as they lie on the form
                         look(m_tree.nearestTo(place).at);
         return found;
@@ -672,12 +670,12 @@ private:
         double nearest = std::numeric_limits<double>::infinity();
         std::size_t own = 0;
         for (std::size_t k = 0; k < m_lines.size(); ++k)
-            for (const Vec3& place : m_places[k])
+            for (const Vec3& place : m_lines[k].places)
                 if (const double distance = (place - at).norm(); distance < nearest) {
                     nearest = distance;
                     own = k;
                 }
-        const std::string name = m_lines.empty() ? std::string() : m_lines[own].name;
+        const std::string name = m_lines.empty() ? std::string() : m_lines[own].line.name;
         double border = std::numeric_limits<double>::infinity();
         for (const FormEdge e : m_form.mesh.edges())
             if (!m_form.cut[e] && isCutAnyway(e)) {
@@ -686,7 +684,7 @@ private:
             }
         for (std::size_t k = 0; k < m_lines.size(); ++k)
             if (k != own)
-                for (const Vec3& place : m_places[k])
+                for (const Vec3& place : m_lines[k].places)
                     border = std::min(border, (place - at).norm());
         if (!std::isfinite(border))
             return {QT_TRANSLATE_NOOP("Message",
@@ -706,12 +704,10 @@ private:
     bool m_whole;
     FormTree m_tree; // of it as it was
     std::vector<Message> m_notes;
-    std::vector<FormLine> m_lines;           // that are cut; nothing goes on to the others
-    std::vector<std::vector<Vec3>> m_places; // of those
-    std::vector<bool> m_isCut;               // of those
-    std::size_t m_current = 0;               // of them, that is cut
-    SharpEdges m_sharp;                      // of the form as it was
-    FormLine m_lastLine;                     // that was to be cut
+    std::vector<CutLine> m_lines; // nothing goes on to the others
+    std::size_t m_current = 0;    // of them, that is cut
+    SharpEdges m_sharp;           // of the form as it was
+    FormLine m_lastLine;          // that was to be cut
 };
 
 bool isAmong(const FormLine& line, const std::vector<FormLine>& lines)

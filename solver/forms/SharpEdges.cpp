@@ -23,14 +23,6 @@ constexpr double leastRun = 10;    // mm: for so long
 constexpr double mostAlong = 0.7;  // of its places: it turns at corners, where it is by two edges
 constexpr double onSegment = 0.02; // mm
 
-double lengthOf(const std::vector<Vec3>& places)
-{
-    double length = 0;
-    for (std::size_t k = 1; k < places.size(); ++k)
-        length += (places[k] - places[k - 1]).norm();
-    return length;
-}
-
 /// The edges of triangles that lie on some segments.
 class EdgeGraph {
 public:
@@ -135,6 +127,14 @@ private:
 };
 
 } // namespace
+
+double lengthOf(const std::vector<Vec3>& places)
+{
+    double length = 0;
+    for (std::size_t k = 1; k < places.size(); ++k)
+        length += (places[k] - places[k - 1]).norm();
+    return length;
+}
 
 SharpEdges::SharpEdges(const TriangleSoup& form)
 {

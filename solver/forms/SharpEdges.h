@@ -8,6 +8,9 @@
 
 namespace bolster {
 
+/// mm, from the first place to the last one.
+double lengthOf(const std::vector<Vec3>& places);
+
 /// Places of a line, one behind the other, mm.
 struct LineRun {
     std::vector<Vec3> places;

@@ -91,33 +91,33 @@ std::vector<Rim> rimsOf(const SewnMesh& mesh)
 {
     std::vector<Rim> rims(mesh.diameter.size());
     std::vector<RimSums> sums(rims.size());
-    std::vector<double> senses;
-    for (const SewnMesh::Part& part : mesh.parts)
-        senses.push_back(part.outward * senseOf(mesh, part));
     const auto eachHeld = [&](const auto& visit) {
         for (const SewnMesh::Part& part : mesh.parts)
             for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
                 if (isHeld(mesh, v))
-                    visit(part, v, rims[part.component], sums[part.component]);
+                    visit(v, rims[part.component], sums[part.component]);
     };
-    eachHeld([&](const SewnMesh::Part&, int v, Rim& rim, RimSums& sum) {
+    eachHeld([&](int v, Rim& rim, RimSums& sum) {
         rim.centre += heldAt(mesh, v);
         sum.vertices += 1;
     });
     for (std::size_t c = 0; c < rims.size(); ++c)
         rims[c].centre /= std::max(sums[c].vertices, 1.0);
-    eachHeld([&](const SewnMesh::Part& part, int v, Rim& rim, RimSums& sum) {
-        const Vec3 from = heldAt(mesh, v) - rim.centre;
-        sum.squares += from.squaredNorm();
-        if (const std::optional<int> next = nextHeld(mesh, part, v))
-            rim.up += senses[static_cast<std::size_t>(&part - mesh.parts.data())] *
-                      from.cross(heldAt(mesh, *next) - rim.centre) / 2;
-    });
+    eachHeld(
+        [&](int v, const Rim& rim, RimSums& sum) { sum.squares += (heldAt(mesh, v) - rim.centre).squaredNorm(); });
+    for (const SewnMesh::Part& part : mesh.parts) {
+        Rim& rim = rims[part.component];
+        const double sense = part.outward * senseOf(mesh, part);
+        for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v)
+            if (isHeld(mesh, v) && isHeld(mesh, nextOf(part, v)))
+                rim.up +=
+                    sense / 2 * (heldAt(mesh, v) - rim.centre).cross(heldAt(mesh, nextOf(part, v)) - rim.centre);
+    }
     for (std::size_t c = 0; c < rims.size(); ++c) {
         const double disc = EIGEN_PI * sums[c].squares / std::max(sums[c].vertices, 1.0);
         rims[c].up = rims[c].up.norm() > leastTurn * disc ? Vec3(rims[c].up.normalized()) : Vec3(Vec3::Zero());
     }
-    eachHeld([&](const SewnMesh::Part&, int v, const Rim& rim, RimSums& sum) {
+    eachHeld([&](int v, const Rim& rim, RimSums& sum) {
         sum.across += std::pow(rim.up.dot(heldAt(mesh, v) - rim.centre), 2);
     });
     for (std::size_t c = 0; c < rims.size(); ++c) {

@@ -142,6 +142,21 @@ TEST(FormCover, IsHeldAtCreasesThatLieFlat)
     expectHeldOnForm(sideBySide(roof(1), roof(-1)));
 }
 
+SolveResult coverOf(const Form& form, double edgeLength)
+{
+    FormPatternOrder order;
+    order.edgeLength = edgeLength;
+    return solveResting(formPattern(form, flatten(form, {}), order).design, {});
+}
+
+/// The lowest and the highest, mm.
+std::pair<double, double> heightsOf(const SolveResult& solved)
+{
+    const auto [lowest, highest] =
+        std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
+    return {lowest.z(), highest.z()};
+}
+
 /// Its mirror image would be as much at rest.
 TEST(FormCover, OfADomeStandsOnItsOutside)
 {
@@ -154,14 +169,11 @@ TEST(FormCover, OfADomeStandsOnItsOutside)
                                                    return Vec3(400 * u, 360 * v, height * high);
                                                }),
                                       {});
-            FormPatternOrder order;
-            order.edgeLength = edge;
-            const SolveResult solved = solveResting(formPattern(form, flatten(form, {}), order).design, {});
+            const SolveResult solved = coverOf(form, edge);
             ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
-            const auto [lowest, highest] =
-                std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
-            EXPECT_GT(lowest.z(), -0.02 * height) << height << ", " << edge;
-            EXPECT_GT(highest.z(), 0.5 * height) << height << ", " << edge;
+            const auto [lowest, highest] = heightsOf(solved);
+            EXPECT_GT(lowest, -0.02 * height) << height << ", " << edge;
+            EXPECT_GT(highest, 0.5 * height) << height << ", " << edge;
         }
 }
 
@@ -174,14 +186,11 @@ TEST(FormCover, OfTraysStandsOnItsOutside)
         for (const double edge : {12.0, 20.0})
             for (const double height : {60.0, 150.0}) {
                 const Form form = cutForm(trayMesh(plan, 120, height), {});
-                FormPatternOrder order;
-                order.edgeLength = edge;
-                const SolveResult solved = solveResting(formPattern(form, flatten(form, {}), order).design, {});
+                const SolveResult solved = coverOf(form, edge);
                 ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
-                const auto [lowest, highest] =
-                    std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
-                EXPECT_GT(lowest.z(), -1) << plan.front() << ", " << edge << ", " << height;
-                EXPECT_NEAR(highest.z(), height, 0.05 * height) << plan.front() << ", " << edge;
+                const auto [lowest, highest] = heightsOf(solved);
+                EXPECT_GT(lowest, -1) << plan.front() << ", " << edge << ", " << height;
+                EXPECT_NEAR(highest, height, 0.05 * height) << plan.front() << ", " << edge;
                 EXPECT_LT(solved.report.strain.rms, 0.06)
                     << "bending rounds its edges; " << plan.front() << ", " << edge;
             }
@@ -196,12 +205,11 @@ TEST(FormCover, OfATrayOnAWavyRimStandsOnItsOutside)
         point = Vec3(point.x(), -point.y(), -point.z());
     }
     const Form form = cutForm(tray, {});
-    const SolveResult solved = solveResting(formPattern(form, flatten(form, {}), {}).design, {});
+    const SolveResult solved = coverOf(form, FormPatternOrder{}.edgeLength);
     ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
-    const auto [lowest, highest] =
-        std::ranges::minmax(solved.surface->positions, {}, [](const Vec3& at) { return at.z(); });
-    EXPECT_NEAR(lowest.z(), -200, 10);
-    EXPECT_LT(highest.z(), 75);
+    const auto [lowest, highest] = heightsOf(solved);
+    EXPECT_NEAR(lowest, -200, 10);
+    EXPECT_LT(highest, 75);
 }
 
 TEST(FormCover, OfTheCarSeatLiesOnIt)

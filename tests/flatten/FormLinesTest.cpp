@@ -665,6 +665,23 @@ TEST(FormLines, MayLeaveSharpEdges)
     }
 }
 
+/// A sliver that was flipped kept its part, and half of its neighbour got it: another face was cut from corner to
+/// corner.
+TEST(FormLines, BesideAnEdgeCutNoOtherFace)
+{
+    const TriangleMesh tray = trayMesh({"x x", "xxx"}, 200, 100);
+    const FormLine line{
+        "Beside", {{5.337, 0, 92.92}, {201.457, 0, 91.279}, {397.576, 0, 92.835}, {593.684, 0, 95.104}}, false};
+    const Form form = cutAlongLines(tray, {line});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    double top = 0;
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    for (std::size_t p = 0; p < flat.size(); ++p)
+        top += form.pieces[p].part == "Top" ? flat[p].area : 0;
+    EXPECT_NEAR(top, 5 * 200 * 200, 1);
+    EXPECT_EQ(form.pieces.size(), 3U) << "the top, what is above the line and what is below it";
+}
+
 /// What holds a bench's cover runs along the edges of its foam, a little beside them.
 TEST(FormLines, CurvesAlongTheSharpEdgesOfAFrameDivideIt)
 {
