@@ -32,6 +32,7 @@ constexpr double reach =
 constexpr double leastLoop = 50;                   // mm
 constexpr double overshoot = 1;                    // mm, so that they surely cross
 constexpr double overEnd = 3;                      // mm
+constexpr double overEdge = 5;                     // mm: nobody cuts in so little behind an edge
 constexpr double offForm = 0.05, samePlace = 1e-6; // mm
 constexpr double sameLine = 2.5;                   // mm: nobody sews what is narrower
 
@@ -171,7 +172,7 @@ public:
                                    {line.name, earlier.line.name, middleOf(line)}});
                 return;
             }
-        const std::vector<FormLine> parts = awayFromBorder(comesBack(line) ? closed(line) : line);
+        const std::vector<FormLine> parts = awayFromBorder(comesBack(line) ? closed(line) : endedOnEdges(line));
         if (parts.empty())
             m_notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "%1 runs along the border of the form, or where it is cut anyway, "
@@ -249,6 +250,54 @@ private:
         if ((line.points.front() - line.points.back()).norm() < shortest)
             line.points.pop_back();
         return line;
+    }
+
+    /// Without what was drawn over a border, or an edge that is sharp or cut anyway, by a few mm at its ends.
+    FormLine endedOnEdges(FormLine line) const
+    {
+        for (int end = 0; end < 2 && !line.closed; ++end) {
+            endOnEdge(line.points);
+            std::ranges::reverse(line.points);
+        }
+        return line;
+    }
+
+    void endOnEdge(std::vector<Vec3>& points) const
+    {
+        constexpr double step = 0.25, on = 0.3; // mm
+        constexpr double mostAlong = 0.4;       // sine of the angle at which it leaves the edge at least
+        const Vec3 end = points.back();
+        if (edgeNear(end, on))
+            return;
+        double over = 0;
+        for (std::size_t k = points.size() - 1; k > 0; --k) {
+            const Vec3 from = points[k], way = points[k - 1] - from;
+            const double length = way.norm();
+            for (double along = step; along < length && over + along < overEdge; along += step) {
+                const std::optional<Vec3> edge = edgeNear(from + along / length * way, on);
+                if (!edge)
+                    continue;
+                if (edgeNear(end, mostAlong * (over + along)))
+                    return; // it runs along it
+                points.resize(k);
+                points.push_back(*edge);
+                return;
+            }
+            over += length;
+            if (over >= overEdge)
+                return;
+        }
+    }
+
+    /// The place within reach of a line's place that lies on such an edge.
+    std::optional<Vec3> edgeNear(const Vec3& at, double within) const
+    {
+        const Vec3 on = m_tree.nearestTo(at).at;
+        std::optional<Vec3> edge = borderNear(on);
+        if (const std::optional<Vec3> sharp = m_sharp.nearest(on);
+            sharp && (!edge || (*sharp - on).norm() < (*edge - on).norm()))
+            edge = sharp;
+        return edge && (*edge - on).norm() < within ? edge : std::nullopt;
     }
 
     static Message whyNotCut(const FormLine& line, const CgalMesh& strip, const CgalMesh& form)
@@ -561,7 +610,8 @@ private:
         double nearest = reach;
         const auto look = [&](const Vec3& place) {
             const double distance = (place - end).norm();
-            if (distance < nearest && (place - end).dot(direction) > mostAside * distance) {
+            const bool isThere = distance < offForm; // in which direction is chance
+            if (distance < nearest && (isThere || (place - end).dot(direction) > mostAside * distance)) {
                 nearest = distance;
                 found = place;
             }

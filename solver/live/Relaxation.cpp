@@ -1,5 +1,6 @@
 #include "Relaxation.h"
 
+#include "FoldSeeds.h"
 #include "StartPlacement.h"
 
 #include <algorithm>

@@ -212,6 +212,80 @@ TEST(FormCover, OfATrayOnAWavyRimStandsOnItsOutside)
     EXPECT_LT(highest, 75);
 }
 
+/// Walls and the top of a prism, mm; its first corner lies at x = `radius`.
+TriangleMesh hollowPrism(unsigned corners, double radius, double height)
+{
+    TriangleMesh prism;
+    for (const double z : {0.0, height})
+        for (unsigned k = 0; k < corners; ++k) {
+            const double angle = k * 2 * std::numbers::pi / corners;
+            prism.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+        }
+    for (unsigned k = 0; k < corners; ++k) {
+        const unsigned next = (k + 1) % corners;
+        prism.triangles.push_back({k, next, corners + next});
+        prism.triangles.push_back({k, corners + next, corners + k});
+    }
+    for (unsigned k = 1; k + 1 < corners; ++k)
+        prism.triangles.push_back({corners, corners + k, corners + k + 1});
+    prism.parts = {{"Prism", 0, static_cast<std::uint32_t>(prism.triangles.size())}};
+    return prism;
+}
+
+/// A smooth seam that ends in a thin tip, or in a short edge beside a corner, where triangles are small: such
+/// covers turned about these places without end.
+TEST(FormCover, OfATopThatIsCutToAThinTipComesToRest)
+{
+    struct Case {
+        unsigned corners;
+        double height;
+        Vec3 from, to;
+    };
+    for (const Case& each : {Case{4, 60, Vec3(-133.67458112587252, 16.3254188741275, 60),
+                                  Vec3(47.708164462380886, 102.29183553761911, 60)},
+                             Case{6, 60, Vec3(-94.71107966782331, 98.72435952750821, 60),
+                                  Vec3(-123.4222172883109, -51.913780744929724, 60)},
+                             Case{6, 150, Vec3(-87.61635534046646, 117.00169715884093, 150),
+                                  Vec3(145.25745266932498, 13.50935191428708, 150)}})
+        for (const double edge : {10.0, 12.0}) {
+            const FormLine line{"Line", {each.from, each.to}, false};
+            const Form form = cutForm(hollowPrism(each.corners, 150, each.height), {false, 30, {line}});
+            ASSERT_EQ(form.pieces.size(), each.corners + 2U);
+            const SolveResult solved = coverOf(form, edge);
+            EXPECT_EQ(solved.status, SolveResult::Status::Solved)
+                << each.corners << ", " << each.height << ", " << edge;
+        }
+}
+
+/// Of one piece, sewn down its corners, it was lifted a little above its rim to begin with, and carried through to
+/// hang below.
+TEST(FormCover, OfAHighBoxWithDartsStandsOnItsOutside)
+{
+    const double width = 240;
+    for (const double lean : {-30.0, 0.0, 20.0})
+        for (const double height : {180.0, 250.0, 350.0})
+            for (const double edge : {12.0, 20.0}) {
+                TriangleMesh box = trayMesh({"x"}, width, height);
+                std::vector<FormLine> corners;
+                for (Vec3& point : box.points)
+                    if (point.z() > 0)
+                        for (int k = 0; k < 2; ++k)
+                            point[k] += point[k] > width / 2 ? -lean : lean;
+                for (const double x : {0.0, width})
+                    for (const double y : {0.0, width}) {
+                        const Vec3 foot(x, y, 0), way(x > 0 ? -lean : lean, y > 0 ? -lean : lean, height);
+                        corners.push_back({"Corner", {foot, foot + way}, false});
+                    }
+                const Form form = cutForm(box, {false, std::nullopt, corners});
+                ASSERT_EQ(form.pieces.size(), 1U);
+                const SolveResult solved = coverOf(form, edge);
+                ASSERT_EQ(solved.status, SolveResult::Status::Solved) << solved.reason.english();
+                const auto [lowest, highest] = heightsOf(solved);
+                EXPECT_GT(lowest, -1) << lean << ", " << height << ", " << edge;
+                EXPECT_GT(highest, height) << "the middle of its top rises; " << lean << ", " << height;
+            }
+}
+
 TEST(FormCover, OfTheCarSeatLiesOnIt)
 {
     expectCoverOnForm(carSeatForm());

@@ -720,5 +720,52 @@ TEST(FormLines, CurvesByRoundedEdgesOfFramesAreLeftOut)
     }
 }
 
+/// Nobody means the few millimetres that a line goes on behind an edge, beside the form or down the next face.
+TEST(FormLines, EndOnTheEdgesThatTheyAreDrawnOver)
+{
+    const double side = 300, height = 80;
+    const TriangleMesh box = trayMesh({"x"}, side, height);
+    for (const double over : {0.0, 1.0, 2.5, 3.3, 4.0, 4.8})
+        for (const bool down : {false, true})
+            for (const double angle : {30.0, 100.0}) {
+                const Vec3 begin(0, 90, height), end(side, 170, height);
+                const Vec3 way = over * (end - begin).normalized();
+                FormLine line{"Line", {begin - way, end + way}, false};
+                if (down)
+                    line.points = {begin - over * Vec3::UnitZ(), begin, end, end - over * Vec3::UnitZ()};
+                const Form form = cutForm(box, {angle > 90, angle, {line}});
+                EXPECT_EQ(form.pieces.size(), angle > 90 ? 3U : 6U) << over << ", " << down;
+                const FormPattern made = formPattern(form, flatten(form, {}), {});
+                EXPECT_EQ(std::ranges::count(made.patches, noElement), 0) << over << ", " << down;
+                for (const FormPiece& piece : form.pieces)
+                    for (const int vertex : piece.border) {
+                        const Vec3& at = form.points[piece.points[vertex]];
+                        EXPECT_TRUE(at.z() > height - 0.01 || at.z() < 0.01)
+                            << "a cut into a wall, at " << at.transpose();
+                    }
+            }
+}
+
+/// Its end lies on the border; the next corner is within reach, but lies along the border.
+TEST(FormLines, ThatEndAtABorderNeedNotGoOnToItsCorner)
+{
+    TriangleMesh top;
+    top.points.emplace_back(0, 0, 0);
+    for (int k = 0; k < 5; ++k) {
+        const double angle = k * 2 * std::numbers::pi / 5;
+        top.points.emplace_back(300 * std::cos(angle), 300 * std::sin(angle), 0);
+        top.triangles.push_back({0U, k + 1U, (k + 1) % 5 + 1U});
+    }
+    top.parts = {{"Top", 0, 5}};
+    const FormLine line{
+        "Line",
+        {Vec3(298.0940382287631, -2.6233313230397357, 0), Vec3(-242.70509831248427, -73.53369980227504, 0)},
+        false};
+    const Form form = cutForm(top, {false, std::nullopt, {line}});
+    ASSERT_EQ(form.pieces.size(), 2U);
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    EXPECT_EQ(std::ranges::count(made.patches, noElement), 0);
+}
+
 } // namespace
 } // namespace bolster::test

@@ -1,12 +1,10 @@
 #include "StartPlacement.h"
 
-#include "LocalStep.h"
+#include "Rims.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -21,9 +19,7 @@ namespace {
 constexpr double lineThreshold = 0.02;
 /// Degrees by which a rim turns more than the outline on it: a wall that goes around, which no rigid patch is like.
 constexpr double goesAround = 30;
-constexpr std::size_t enoughFeet = 300;        // of a wall on a rim
-constexpr double flatRim = 0.1, wavyRim = 0.3; // of its radius, across its plane
-constexpr double leastTurn = 0.1;              // of a disc's area: what a rim must go around
+constexpr std::size_t enoughFeet = 300; // of a wall on a rim
 
 struct Rigid {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -37,97 +33,6 @@ struct Correspondence {
     Vec3 place;
     int vertex;
 };
-
-bool isHeld(const SewnMesh& mesh, int v)
-{
-    return static_cast<int>(mesh.topology->unknown[v]) >= mesh.freeCount;
-}
-
-const Vec3& heldAt(const SewnMesh& mesh, int v)
-{
-    return mesh.targets[mesh.topology->unknown[v] - static_cast<std::uint32_t>(mesh.freeCount)];
-}
-
-/// Along the outline, of one of its vertices.
-int nextOf(const SewnMesh::Part& part, int v)
-{
-    return v + 1 < part.firstVertex + part.boundaryCount ? v + 1 : part.firstVertex;
-}
-
-/// Where that is held, too; none for vertices inside.
-std::optional<int> nextHeld(const SewnMesh& mesh, const SewnMesh::Part& part, int v)
-{
-    if (v >= part.firstVertex + part.boundaryCount || !isHeld(mesh, nextOf(part, v)))
-        return std::nullopt;
-    return nextOf(part, v);
-}
-
-/// 1 where the cloth lies to the left of its outline, seen from +z of the pattern; of a mirrored twin it may not.
-double senseOf(const SewnMesh& mesh, const SewnMesh::Part& part)
-{
-    double area = 0;
-    for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v) {
-        const Vec2 &here = mesh.rest()[v], &next = mesh.rest()[nextOf(part, v)];
-        area += here.x() * next.y() - here.y() * next.x();
-    }
-    return area < 0 ? -1 : 1;
-}
-
-/// Fixed points of a component.
-struct Rim {
-    Vec3 centre = Vec3::Zero();
-    Vec3 up = Vec3::Zero(); ///< where cloth that is closed above them stands, unit: to the outside; else zero
-    bool isFlat = false;    ///< they lie in a plane
-};
-
-/// What is added up over a component's vertices.
-struct RimSums {
-    double vertices = 0, squares = 0, across = 0; ///< mm^2: from the centre, and along `up`
-};
-
-/// The cloth lies on one side of its outline, seen from outside. So a rim in a plane, which goes around what it
-/// holds, says on which side of that plane the cloth is to stand.
-std::vector<Rim> rimsOf(const SewnMesh& mesh)
-{
-    std::vector<Rim> rims(mesh.diameter.size());
-    std::vector<RimSums> sums(rims.size());
-    const auto eachHeld = [&](const auto& visit) {
-        for (const SewnMesh::Part& part : mesh.parts)
-            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
-                if (isHeld(mesh, v))
-                    visit(v, rims[part.component], sums[part.component]);
-    };
-    eachHeld([&](int v, Rim& rim, RimSums& sum) {
-        rim.centre += heldAt(mesh, v);
-        sum.vertices += 1;
-    });
-    for (std::size_t c = 0; c < rims.size(); ++c)
-        rims[c].centre /= std::max(sums[c].vertices, 1.0);
-    eachHeld(
-        [&](int v, const Rim& rim, RimSums& sum) { sum.squares += (heldAt(mesh, v) - rim.centre).squaredNorm(); });
-    for (const SewnMesh::Part& part : mesh.parts) {
-        Rim& rim = rims[part.component];
-        const double sense = part.outward * senseOf(mesh, part);
-        for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v)
-            if (isHeld(mesh, v) && isHeld(mesh, nextOf(part, v)))
-                rim.up +=
-                    sense / 2 * (heldAt(mesh, v) - rim.centre).cross(heldAt(mesh, nextOf(part, v)) - rim.centre);
-    }
-    for (std::size_t c = 0; c < rims.size(); ++c) {
-        const double disc = EIGEN_PI * sums[c].squares / std::max(sums[c].vertices, 1.0);
-        rims[c].up = rims[c].up.norm() > leastTurn * disc ? Vec3(rims[c].up.normalized()) : Vec3(Vec3::Zero());
-    }
-    eachHeld([&](int v, const Rim& rim, RimSums& sum) {
-        sum.across += std::pow(rim.up.dot(heldAt(mesh, v) - rim.centre), 2);
-    });
-    for (std::size_t c = 0; c < rims.size(); ++c) {
-        const double wave = std::sqrt(sums[c].across / std::max(sums[c].squares, 1e-300));
-        rims[c].isFlat = wave < flatRim;
-        if (wave > wavyRim)
-            rims[c].up.setZero();
-    }
-    return rims;
-}
 
 class Placer {
 public:
@@ -452,136 +357,11 @@ private:
     double m_freeX = 0;
 };
 
-/// The in-plane stretches at a vertex, minus 1, the smaller one first.
-std::array<double, 2> principalStrains(const SewnMesh& mesh, const SheetState& state, int v)
-{
-    Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
-    Eigen::Matrix2d rest = 1e-4 * mesh.area[v] * Eigen::Matrix2d::Identity();
-    const auto& unknown = mesh.topology->unknown;
-    for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
-        const SewnMesh::RingEdge& edge = mesh.ring[k];
-        const Vec3 e = state.positions.col(unknown[edge.vertex]) - state.positions.col(unknown[v]);
-        const Vec2 there = mesh.along(v, edge);
-        covariance += edge.weight * e * there.transpose();
-        rest += edge.weight * there * there.transpose();
-    }
-    const Eigen::Matrix<double, 3, 2> gradient = covariance * rest.inverse();
-    const Eigen::Matrix2d square = gradient.transpose() * gradient;
-    const double half = 0.5 * square.trace();
-    const double root = std::sqrt(std::max(0.0, half * half - square.determinant()));
-    return {std::sqrt(std::max(0.0, half - root)) - 1, std::sqrt(half + root) - 1};
-}
-
-/// A smooth ripple within +-1: waves in directions and of lengths that have no common measure.
-double ripple(const Vec2& p, double wavelength)
-{
-    const Vec2 q = p * (2 * EIGEN_PI / wavelength);
-    return (std::sin(q.x() + 0.3) + std::sin(0.62 * q.x() + 0.79 * q.y() + 1.1) +
-            std::sin(0.55 * q.x() - 0.97 * q.y() + 2.3) + std::sin(1.31 * q.y() + 0.7)) /
-           4;
-}
-
 } // namespace
 
 SheetState startPlacement(const SewnMesh& mesh)
 {
     return Placer(mesh).run();
-}
-
-namespace {
-
-constexpr double leastPressed = 0.002; // strain at which cloth counts as compressed
-
-/// Of vertices inside a patch that move; else none.
-std::array<double, 2> strainsAt(const SewnMesh& mesh, const SheetState& state, int v)
-{
-    return static_cast<int>(mesh.topology->unknown[v]) < mesh.freeCount ? principalStrains(mesh, state, v)
-                                                                        : std::array{0.0, 0.0};
-}
-
-/// How a component lies, and how it is pressed together.
-struct Flatness {
-    Vec3 sum = Vec3::Zero();
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    double vertices = 0;
-    double most = 0;    ///< that cloth is pressed together inside, 1
-    double pressed = 0; ///< area of what is pressed together, and the strains there times it
-    double larger = 0, smaller = 0;
-
-    /// Standard deviation across the plane that it lies in, mm.
-    double thickness() const
-    {
-        const Vec3 mean = sum / std::max(vertices, 1.0);
-        const Eigen::Matrix3d spread = squares / std::max(vertices, 1.0) - mean * mean.transpose();
-        return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0]));
-    }
-};
-
-/// By how much of D each component is lifted to its outside. That is what lies nearly in a plane and is too large
-/// for its room: a little, when symmetry would keep it there, pressed together, since the dome that it takes has no
-/// part in a ripple; or in both directions, as the pattern of a dome or of a box is, which momentum would carry
-/// through the plane if it were lifted but a little. What is much too wide in one direction folds in many ways,
-/// which the ripple decides.
-std::vector<double> lifts(const SewnMesh& mesh, const SheetState& state)
-{
-    constexpr double thinnest = 0.02;  // of D
-    constexpr double mostSlack = 0.06; // strain
-    constexpr double lift = 0.006;
-    constexpr double higher = 0.3;       // times the strain
-    constexpr double pressedBoth = 0.02; // strain: the larger one, on the average of what is pressed together
-    std::vector<Flatness> all(mesh.diameter.size());
-    for (const SewnMesh::Part& part : mesh.parts) {
-        Flatness& component = all[part.component];
-        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            const Vec3 place = state.positions.col(mesh.topology->unknown[v]) - state.positions.col(0);
-            component.sum += place;
-            component.squares += place * place.transpose();
-            component.vertices += 1;
-            if (v < part.firstVertex + part.boundaryCount)
-                continue;
-            const auto [least, larger] = strainsAt(mesh, state, v);
-            component.most = std::max(component.most, -least);
-            if (-least > leastPressed) {
-                component.pressed += mesh.area[v];
-                component.larger += mesh.area[v] * larger;
-                component.smaller += mesh.area[v] * least;
-            }
-        }
-    }
-    std::vector<double> result(all.size(), 0);
-    for (std::size_t c = 0; c < all.size(); ++c) {
-        if (!(all[c].thickness() < thinnest * mesh.diameter[c]) || !(all[c].pressed > 0))
-            continue;
-        if (all[c].larger < -pressedBoth * all[c].pressed)
-            result[c] = lift - higher * all[c].smaller / all[c].pressed;
-        else if (all[c].most < mostSlack)
-            result[c] = lift;
-    }
-    return result;
-}
-
-} // namespace
-
-void seedFolds(const SewnMesh& mesh, SheetState& state)
-{
-    constexpr double height = 0.002;   // of D
-    constexpr double wavelength = 0.2; // of D
-    constexpr double full = 0.02;
-    const std::vector<double> lift = lifts(mesh, state);
-    for (const SewnMesh::Part& part : mesh.parts) {
-        const double d = mesh.diameter[part.component];
-        for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
-            const double compression = -strainsAt(mesh, state, v)[0];
-            if (compression <= leastPressed)
-                continue;
-            const double share = std::min(1.0, (compression - leastPressed) / (full - leastPressed));
-            const Eigen::Vector3d normal = rotationOf(state.frames.col(v)).col(2);
-            auto place = state.positions.col(mesh.topology->unknown[v]);
-            place += share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
-            // All of it: near the least slack the dome grows slowly.
-            place += lift[part.component] * d * part.outward * normal;
-        }
-    }
 }
 
 } // namespace bolster

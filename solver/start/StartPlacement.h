@@ -10,8 +10,4 @@ namespace bolster {
 /// then every sewn vertex to the mean of its places and every fixed one to its target.
 SheetState startPlacement(const SewnMesh& mesh);
 
-/// Pushes compressed flat cloth off the plane by a smooth deterministic ripple of about 0.002 D, or it would stay
-/// on the saddle between its folds. Cloth that is stretched or at rest is left alone.
-void seedFolds(const SewnMesh& mesh, SheetState& state);
-
 } // namespace bolster
