@@ -267,29 +267,32 @@ private:
         constexpr double step = 0.25, on = 0.3; // mm
         constexpr double mostAlong = 0.4;       // sine of the angle at which it leaves the edge at least
         const Vec3 end = points.back();
-        if (edgeNear(end, on))
+        bool isOver = isOutside(end); // beside the form
+        if (!isOver && edgeNear(end, on))
             return;
-        double over = 0;
+        double length = 0; // back to where the segment begins
         for (std::size_t k = points.size() - 1; k > 0; --k) {
             const Vec3 from = points[k], way = points[k - 1] - from;
-            const double length = way.norm();
-            for (double along = step; along < length && over + along < overEdge; along += step) {
-                const std::optional<Vec3> edge = edgeNear(from + along / length * way, on);
+            for (double along = step; along < way.norm(); along += step) {
+                const double over = length + along;
+                const Vec3 at = from + along / way.norm() * way;
+                if (over > (isOver ? farthest : overEdge))
+                    return;
+                const std::optional<Vec3> edge = isOver && isOutside(at) ? std::nullopt : edgeNear(at, on);
                 if (!edge)
                     continue;
-                if (edgeNear(end, mostAlong * (over + along)))
+                if (const std::optional<Vec3> beside = edgeNear(end, over);
+                    beside && (*beside - end).norm() < mostAlong * over)
                     return; // it runs along it
                 points.resize(k);
                 points.push_back(*edge);
                 return;
             }
-            over += length;
-            if (over >= overEdge)
-                return;
+            length += way.norm();
         }
     }
 
-    /// The place within reach of a line's place that lies on such an edge.
+    /// The place on such an edge that is nearest to where a line's place lies on the form.
     std::optional<Vec3> edgeNear(const Vec3& at, double within) const
     {
         const Vec3 on = m_tree.nearestTo(at).at;

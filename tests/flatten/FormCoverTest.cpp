@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <random>
 
 namespace bolster::test {
 namespace {
@@ -255,6 +256,60 @@ TEST(FormCover, OfATopThatIsCutToAThinTipComesToRest)
             EXPECT_EQ(solved.status, SolveResult::Status::Solved)
                 << each.corners << ", " << each.height << ", " << edge;
         }
+}
+
+/// A strip narrower than the bending length beside a smooth seam.
+TEST(FormCover, OfATopWithANarrowStripComesToRest)
+{
+    TriangleMesh top = hollowPrism(8, 150, 0);
+    top.triangles.erase(top.triangles.begin(), top.triangles.end() - 6);
+    top.parts = {{"Top", 0, 6}};
+    for (const double second : {1.2, 2.2, 4.2})
+        for (const double edge : {6.0, 10.0, 12.0}) {
+            const Vec3 in(-std::cos(std::numbers::pi / 8), -std::sin(std::numbers::pi / 8), 0);
+            const Vec3 from = top.points[8] + 4.2 * in, to = top.points[9] + second * in;
+            const FormLine line{
+                "Line", {from - 5 * (to - from).normalized(), to + 5 * (to - from).normalized()}, false};
+            const Form form = cutForm(top, {false, std::nullopt, {line}});
+            ASSERT_EQ(form.pieces.size(), 2U);
+            const SolveResult solved = coverOf(form, edge);
+            EXPECT_EQ(solved.status, SolveResult::Status::Solved)
+                << second << ", " << edge << solved.reason.english();
+        }
+}
+
+/// Straight lines over the top, wherever they are and however far they are drawn over its edges: all pieces are
+/// plane.
+TEST(FormCover, OfTopsThatAreCutAnyhowComesToRest)
+{
+    std::mt19937 random(19);
+    const auto between = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    for (int round = 0; round < 60; ++round) {
+        const unsigned corners = 4 + random() % 5;
+        const double radius = random() % 2 == 0 ? 150 : 300, height = random() % 2 == 0 ? 60 : 150;
+        const double off = between(-0.7, 0.7) * radius * std::cos(std::numbers::pi / corners);
+        const double over = between(0, 8), turn = between(0, 2 * std::numbers::pi);
+        const Vec3 across(std::cos(turn), std::sin(turn), 0), along(-across.y(), across.x(), 0);
+        double begin = -1e9, end = 1e9; // of the line, on the top
+        for (unsigned k = 0; k < corners; ++k) {
+            const double middle = (2 * k + 1) * std::numbers::pi / corners;
+            const Vec3 out(std::cos(middle), std::sin(middle), 0);
+            const double room = radius * std::cos(std::numbers::pi / corners) - off * out.dot(across);
+            if (const double slope = out.dot(along); std::abs(slope) > 1e-9)
+                (slope > 0 ? end : begin) = slope > 0 ? std::min(end, room / slope) : std::max(begin, room / slope);
+        }
+        const Vec3 top = off * across + height * Vec3::UnitZ();
+        const FormLine line{"Line", {top + (begin - over) * along, top + (end + over) * along}, false};
+        const Form form = cutForm(hollowPrism(corners, radius, height), {false, 30, {line}});
+        EXPECT_EQ(form.pieces.size(), corners + 2U) << round;
+        FormPatternOrder order;
+        const FormPattern made = formPattern(form, flatten(form, {}), order);
+        EXPECT_EQ(std::ranges::count(made.patches, noElement), 0) << round;
+        const SolveResult solved = solveResting(made.design, {});
+        EXPECT_EQ(solved.status, SolveResult::Status::Solved) << round << ": " << solved.reason.english();
+    }
 }
 
 /// Of one piece, sewn down its corners, it was lifted a little above its rim to begin with, and carried through to
