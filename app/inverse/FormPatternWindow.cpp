@@ -347,6 +347,10 @@ void FormPatternWindow::fillIn(const FormPatternWishes& wishes)
         const QSignalBlocker quiet(boxes[k]);
         boxes[k]->setChecked(wishes.ticks[k]);
     }
+    const QSignalBlocker quiet(m_lines);
+    for (QTreeWidgetItem* line : lineItems())
+        if (const auto known = wishes.lines.find(line->data(0, Qt::UserRole).toUInt()); known != wishes.lines.end())
+            line->setCheckState(0, known->second);
 }
 
 FormPatternWishes FormPatternWindow::wishes() const
@@ -355,6 +359,7 @@ FormPatternWishes FormPatternWindow::wishes() const
                              {},   m_angle->value()};
     for (const QCheckBox* box : waysToCut())
         wishes.ticks.push_back(box->isChecked());
+    wishes.lines = lineStates();
     return wishes;
 }
 
@@ -389,9 +394,7 @@ void FormPatternWindow::fillLines()
 {
     const Design& design = m_document.design();
     const std::set<ElementId> usual = linesToCut(design);
-    std::map<quint32, Qt::CheckState> before;
-    for (const QTreeWidgetItem* line : lineItems())
-        before[line->data(0, Qt::UserRole).toUInt()] = line->checkState(0);
+    const std::map<quint32, Qt::CheckState> before = lineStates();
     const bool wasOpen =
         m_lines->topLevelItemCount() > 0 && m_lines->topLevelItem(m_lines->topLevelItemCount() - 1)->isExpanded();
     const QSignalBlocker quiet(m_lines);
@@ -417,6 +420,14 @@ void FormPatternWindow::fillLines()
     holding->setFlags(holding->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
     m_lines->addTopLevelItem(holding);
     holding->setExpanded(wasOpen);
+}
+
+std::map<quint32, Qt::CheckState> FormPatternWindow::lineStates() const
+{
+    std::map<quint32, Qt::CheckState> states;
+    for (const QTreeWidgetItem* line : lineItems())
+        states[line->data(0, Qt::UserRole).toUInt()] = line->checkState(0);
+    return states;
 }
 
 /// Not the heading of those that hold a cover.

@@ -10,6 +10,7 @@
 #include <QDialog>
 #include <QVariant>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -36,8 +37,9 @@ struct FormPatternWishes {
     QVariant form, fabric;
     QString file;
     int grain = 0;
-    std::vector<bool> ticks; ///< of the ways it is cut
-    double angle = 0;        ///< degrees
+    std::vector<bool> ticks;                      ///< of the ways it is cut
+    double angle = 0;                             ///< degrees
+    std::map<quint32, Qt::CheckState> lines = {}; ///< by their numbers
 };
 
 class FormPatternWindow : public QDialog {
@@ -66,6 +68,7 @@ private:
     std::vector<QCheckBox*> waysToCut() const;
     void fillForms();
     void fillLines();
+    std::map<quint32, Qt::CheckState> lineStates() const; ///< by their numbers
     std::vector<QTreeWidgetItem*> lineItems() const;
     int largestFrame() const;
     void fillFabrics();

@@ -41,13 +41,14 @@ QString rmsText(double energy)
 
 } // namespace
 
-ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverView& view,
+ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, Mark mark,
                            std::shared_ptr<ReliefMemory> remembered, QWidget* parent)
     : QDialog(parent)
     , m_session(session)
     , m_document(session.document())
     , m_selection(selection)
     , m_view(view)
+    , m_mark(std::move(mark))
     , m_remembered(std::move(remembered))
     , m_job(
           [this](const ReliefWanted& wanted, const std::stop_token& stop) {
@@ -291,7 +292,11 @@ void ReliefWindow::addRelief(std::size_t place)
     QFrame* card = addCard(m_found->pictures[place], translated(relief.text), lines.join('\n'));
     auto* show = new QPushButton(tr("Show where"), card);
     show->setAutoDefault(false);
-    connect(show, &QPushButton::clicked, this, [this, id = relief.element] { m_selection.set({id}); });
+    connect(show, &QPushButton::clicked, this, [this, id = relief.element, at = relief.at] {
+        m_selection.set({id});
+        if (at)
+            m_mark({id, *at});
+    });
     auto* takes = new QPushButton(tr("Make it"), card);
     takes->setAutoDefault(false);
     takes->setAccessibleName(tr("Make it: %1").arg(translated(relief.text)));

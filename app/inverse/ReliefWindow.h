@@ -1,12 +1,15 @@
 // Proposes changes of the pattern that relieve its cloth, with pictures, and makes those that are wanted.
 #pragma once
 
+#include "CoverPlaces.h"
 #include "Document.h"
 #include "LatestJob.h"
 #include "ReliefJob.h"
 #include "Selection.h"
 
 #include <QDialog>
+
+#include <functional>
 
 class QCheckBox;
 class QFrame;
@@ -33,8 +36,10 @@ class ReliefWindow : public QDialog {
     Q_OBJECT
 
 public:
+    /// Marks a place in both views.
+    using Mark = std::function<void(const CoverPoint&)>;
     /// Begins as `remembered` says, which says then how it was when it was closed.
-    ReliefWindow(DesignSession& session, Selection& selection, CoverView& view,
+    ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, Mark mark,
                  std::shared_ptr<ReliefMemory> remembered, QWidget* parent = nullptr);
     ~ReliefWindow() override;
 
@@ -60,6 +65,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     CoverView& m_view;
+    Mark m_mark;
     std::shared_ptr<ReliefMemory> m_remembered;
 
     QCheckBox* m_ownLimit = nullptr;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace bolster {
 
@@ -144,19 +145,54 @@ std::vector<FormEdge> LinedMesh::cutsAt(Vertex v) const
     return cuts;
 }
 
-std::vector<Vertex> LinedMesh::looseEnds(const CutAnyway& isCutAnyway) const
+std::vector<Vertex> LinedMesh::looseEnds(const FormCuts& cuts) const
 {
     std::vector<Vertex> ends;
     for (const Vertex v : mesh.vertices())
-        if (!mesh.is_isolated(v) && !mesh.is_border(v) && cutsAt(v).size() == 1 && !isCutAnyway(v))
+        if (!mesh.is_isolated(v) && !mesh.is_border(v) && cutsAt(v).size() == 1 && !isCutAnywayAt(v, cuts))
             ends.push_back(v);
     return ends;
+}
+
+bool LinedMesh::isCutAnyway(FormEdge edge, const FormCuts& cuts) const
+{
+    if (mesh.is_border(edge) || cut[edge])
+        return true;
+    const auto half = mesh.halfedge(edge), other = mesh.opposite(half);
+    if (cuts.groups && part[mesh.face(half)] != part[mesh.face(other)])
+        return true;
+    return cuts.angle &&
+           normalBeside(half).dot(normalBeside(other)) < std::cos(*cuts.angle * std::numbers::pi / 180);
+}
+
+/// Of edges that no line has cut.
+bool LinedMesh::isCutAnywayAt(Vertex v, const FormCuts& cuts) const
+{
+    const auto around = mesh.halfedges_around_target(mesh.halfedge(v));
+    return std::ranges::any_of(around, [&](auto half) {
+        const FormEdge e = mesh.edge(half);
+        return !cut[e] && isCutAnyway(e, cuts);
+    });
+}
+
+Vec3 LinedMesh::normalBeside(CgalMesh::Halfedge_index half) const
+{
+    const Vec3 from = fromCgal(mesh.point(mesh.source(half)));
+    const Vec3 to = fromCgal(mesh.point(mesh.target(half)));
+    const Vec3 third = fromCgal(mesh.point(mesh.target(mesh.next(half))));
+    return (to - from).cross(third - from).normalized();
+}
+
+std::pair<Vec3, Vec3> LinedMesh::endsOf(FormEdge e) const
+{
+    return {fromCgal(mesh.point(mesh.vertex(e, 0))), fromCgal(mesh.point(mesh.vertex(e, 1)))};
 }
 
 double LinedMesh::lengthOf(FormEdge e) const
 {
     return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
+
 /// Of a triangle, over its longest edge and against its length: whether it is as good as that edge. Long triangles
 /// beside a line may be low, and have their width nevertheless.
 bool LinedMesh::isCap(Vertex a, Vertex b, Vertex c) const
@@ -180,6 +216,7 @@ bool LinedMesh::isHeld(FormEdge e) const
 {
     return get(HeldEdges{&mesh, &cut}, e);
 }
+
 bool LinedMesh::isOnLine(Vertex v) const
 {
     const auto around = mesh.halfedges_around_target(mesh.halfedge(v));
@@ -262,23 +299,23 @@ bool LinedMesh::flattenCaps()
     return any;
 }
 
-void LinedMesh::pruneSpurs(const CutAnyway& isCutAnyway)
+void LinedMesh::pruneSpurs(const FormCuts& cuts)
 {
     for (const FormEdge e : mesh.edges())
         if (mesh.is_border(e))
             cut[e] = false;
-    for (Vertex end : looseEnds(isCutAnyway)) {
+    for (Vertex end : looseEnds(cuts)) {
         std::vector<FormEdge> spur;
         double length = 0;
         for (Vertex at = end; length <= longestSpur;) {
-            std::vector<FormEdge> cuts = cutsAt(at);
-            std::erase_if(cuts, [&](FormEdge e) { return std::ranges::find(spur, e) != spur.end(); });
-            if (cuts.size() != 1 || (at != end && (mesh.is_border(at) || isCutAnyway(at))))
+            std::vector<FormEdge> goesOn = cutsAt(at);
+            std::erase_if(goesOn, [&](FormEdge e) { return std::ranges::find(spur, e) != spur.end(); });
+            if (goesOn.size() != 1 || (at != end && (mesh.is_border(at) || isCutAnywayAt(at, cuts))))
                 break;
-            spur.push_back(cuts.front());
-            length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(cuts.front(), 0)),
-                                                       mesh.point(mesh.vertex(cuts.front(), 1))));
-            at = mesh.vertex(cuts.front(), mesh.vertex(cuts.front(), 0) == at ? 1 : 0);
+            spur.push_back(goesOn.front());
+            length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(goesOn.front(), 0)),
+                                                       mesh.point(mesh.vertex(goesOn.front(), 1))));
+            at = mesh.vertex(goesOn.front(), mesh.vertex(goesOn.front(), 0) == at ? 1 : 0);
         }
         if (length <= longestSpur)
             for (const FormEdge e : spur)

@@ -6,7 +6,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -43,14 +42,17 @@ struct LinedMesh {
 
     /// What cutting has left of triangles goes: points that are nearly one, and triangles that are nearly an edge.
     void tidy();
-    /// Whether the form is cut at a vertex whatever lines say; at its border it is.
-    using CutAnyway = std::function<bool(Vertex)>;
+    /// Whether the form ends at an edge, or is cut there whatever lines say.
+    bool isCutAnyway(FormEdge edge, const FormCuts& cuts) const;
     /// What hangs over where a line has met another one, or where the form is cut anyway.
-    void pruneSpurs(const CutAnyway& isCutAnyway);
+    void pruneSpurs(const FormCuts& cuts);
     /// Where lines end inside.
-    std::vector<Vertex> looseEnds(const CutAnyway& isCutAnyway) const;
+    std::vector<Vertex> looseEnds(const FormCuts& cuts) const;
+    std::pair<Vec3, Vec3> endsOf(FormEdge e) const; ///< mm
 
 private:
+    bool isCutAnywayAt(Vertex v, const FormCuts& cuts) const;
+    Vec3 normalBeside(CgalMesh::Halfedge_index half) const;
     int pointOf(Vertex v) const { return m_point[v.idx()]; }
     bool isShared(Vertex v) const { return v.idx() < m_shared.size() && m_shared[v.idx()]; }
     double lengthOf(FormEdge e) const;

@@ -128,14 +128,6 @@ private:
 
 } // namespace
 
-double lengthOf(const std::vector<Vec3>& places)
-{
-    double length = 0;
-    for (std::size_t k = 1; k < places.size(); ++k)
-        length += (places[k] - places[k - 1]).norm();
-    return length;
-}
-
 SharpEdges::SharpEdges(const TriangleSoup& form)
 {
     const auto normal = [&](int triangle) {

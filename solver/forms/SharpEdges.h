@@ -3,13 +3,11 @@
 
 #include "BoxTree.h"
 #include "FormLines.h"
+#include "LinePlaces.h"
 
 #include <optional>
 
 namespace bolster {
-
-/// mm, from the first place to the last one.
-double lengthOf(const std::vector<Vec3>& places);
 
 /// Places of a line, one behind the other, mm.
 struct LineRun {

@@ -106,7 +106,7 @@ void InverseCommands::addCommands(Commands& commands)
          .enabled = anyPatch,
          .does = [this] {
              show(m_relief, [this] {
-                 return new ReliefWindow(m_parts.session, m_parts.selection, m_parts.cover, m_reliefs,
+                 return new ReliefWindow(m_parts.session, m_parts.selection, m_parts.cover, m_parts.mark, m_reliefs,
                                          &m_parts.window);
              });
          }});

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QPointer>
 
+#include <functional>
 #include <memory>
 
 class QAction;
@@ -14,6 +15,7 @@ class QDialog;
 namespace bolster {
 
 class Commands;
+struct CoverPoint;
 class CoverView;
 class DesignSession;
 struct FitMemory;
@@ -38,6 +40,7 @@ public:
         PatternView& pattern;
         CoverView& cover;
         QWidget& window;
+        std::function<void(const CoverPoint&)> mark; ///< a place, in both views
     };
     InverseCommands(Commands& commands, const Parts& parts);
     ~InverseCommands() override;

@@ -53,7 +53,8 @@ Exit code:
   1  FILE.json is there already, an output cannot be written (the other one is
      nevertheless), or interrupted
   2  SURFACE cannot be read or laid flat, or wrong usage
-  3  a part of it is left out; the design of the rest is written nevertheless
+  3  more than a ten-thousandth of it is left out; the design of the rest is
+     written nevertheless
 )";
 
 namespace {
@@ -62,6 +63,7 @@ constexpr double bendOfFaces =
     21; // degrees: CAD files are read with triangles that bend by 20 at most within a face
 
 constexpr double smallestForm = 50;                     // mm
+constexpr double countsForNothing = 1e-4;               // of a form's area: splinters that nobody could sew
 constexpr double leastInMetres = 0.2, mostInMetres = 5; // what a form in metres may measure
 
 constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
@@ -253,6 +255,18 @@ double formArea(const Form& form, const FormPiece& piece)
     return area;
 }
 
+/// Of the form's area, 1.
+double shareLeftOut(const Form& form, const FormPattern& made)
+{
+    double all = 0, leftOut = 0;
+    for (std::size_t p = 0; p < form.pieces.size(); ++p) {
+        const double area = formArea(form, form.pieces[p]);
+        all += area;
+        leftOut += made.patches[p] == noElement ? area : 0;
+    }
+    return leftOut / std::max(all, 1e-300);
+}
+
 void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made, bool divided,
                  double limit)
 {
@@ -268,16 +282,12 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
         line.append(percentText(flat[p].strainMost, 2)).append(" at most");
         printResult(line);
     }
-    double all = 0, leftOut = 0;
     std::int64_t over = 0;
-    for (std::size_t p = 0; p < flat.size(); ++p) {
+    for (std::size_t p = 0; p < flat.size(); ++p)
         over += made.patches[p] != noElement && flat[p].strainP99 > limit;
-        all += formArea(form, form.pieces[p]);
-        leftOut += made.patches[p] == noElement ? formArea(form, form.pieces[p]) : 0;
-    }
-    if (leftOut > 0)
+    if (const double leftOut = shareLeftOut(form, made); leftOut > 0)
         printError(
-            "warning: " + numberText(100 * leftOut / all, 3) + " % of the form's area are left out; " +
+            "warning: " + numberText(100 * leftOut, 3) + " % of the form's area are left out; " +
             (divided ? "a shorter --edge lets smaller pieces be divided" : "--divide finds where to divide it"));
     if (over > 0)
         printError("warning: " + counted(over, "piece") + " strained by more than " + percentText(limit, 2) +
@@ -341,7 +351,7 @@ int flattenForm(std::span<const std::string> words)
     interrupt.beginWriting();
     if (!writeWithReport(out, writeDesign(made.design), report, reportOf(form, flat, made).dump(1) + "\n"))
         return otherFailure;
-    return std::ranges::count(made.patches, noElement) > 0 ? partLeftOut : done;
+    return shareLeftOut(form, made) > countsForNothing ? partLeftOut : done;
 }
 
 } // namespace bolster::cli

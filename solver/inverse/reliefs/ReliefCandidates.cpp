@@ -89,6 +89,13 @@ void addMovesOf(std::vector<ReliefMove>& moves, const Design& design, ElementId 
                          {a, b}});
 }
 
+/// As rulers have it, of a place of its outline.
+std::string placeOf(const Patch& patch, const Vec2& at)
+{
+    const Vec2 there = toLayout(patch, at);
+    return numberText(std::round(there.x())) + ", " + numberText(std::round(there.y()));
+}
+
 void addCornersOf(std::vector<ReliefMove>& moves, ElementId id, const Patch& patch)
 {
     const BSpline2& outline = patch.outline;
@@ -101,13 +108,13 @@ void addCornersOf(std::vector<ReliefMove>& moves, ElementId id, const Patch& pat
             continue; // no corner to be let out
         Freedom freedom{.kind = Freedom::Kind::OutlinePoint, .element = id, .index = outline.pointAt(corner)};
         freedom.direction = (in - out).normalized() * (turn > 0 ? 1 : -1);
-        const Vec2 at = toLayout(patch, outline.at(corner)); // as rulers have it
         moves.push_back({Relief::Kind::Corner,
                          id,
                          {std::move(freedom)},
                          QT_TRANSLATE_NOOP("Message", "Let out the corner of %1 at %2 by %3 mm"),
                          QT_TRANSLATE_NOOP("Message", "Take in the corner of %1 at %2 by %3 mm"),
-                         {patch.name, numberText(std::round(at.x())) + ", " + numberText(std::round(at.y()))}});
+                         {patch.name, placeOf(patch, outline.at(corner))},
+                         outline.at(corner)});
     }
 }
 
@@ -210,13 +217,12 @@ std::optional<Relief> dartAt(const Design& design, const StrainedPatch& strained
     edits::DartShape dart = edits::dartBetween(design, strained.patch, from, *to);
     const edits::DartAxis axis = edits::dartAxis(outline, dart);
     dart.tip = axis.middle + depth * axis.inwards;
-    Relief relief{.kind = Relief::Kind::Dart, .element = strained.patch, .text = {}, .edit = {}};
+    Relief relief{.kind = Relief::Kind::Dart, .element = strained.patch, .at = axis.middle, .text = {}, .edit = {}};
     relief.edit = edits::withFollowers(design, edits::addDart(design, dart));
     if (relief.edit.empty() || edits::brokenBy(design, relief.edit))
         return std::nullopt;
     relief.text = {QT_TRANSLATE_NOOP("Message", "Cut a dart into %1 at %2, %3 mm wide and %4 mm deep"),
-                   {nameOf(design, strained.patch),
-                    numberText(std::round(axis.middle.x())) + ", " + numberText(std::round(axis.middle.y())),
+                   {nameOf(design, strained.patch), placeOf(*design.find<Patch>(strained.patch), axis.middle),
                     numberText(width), numberText(std::round(depth))}};
     relief.sewn = std::hypot(depth, width / 2);
     relief.moved = width / 2;
@@ -257,7 +263,7 @@ Design withMove(const Design& design, const ReliefMove& move, double amount)
 
 Relief reliefOf(const Design& design, const ReliefMove& move, double amount)
 {
-    Relief relief{.kind = move.kind, .element = move.element, .text = {}, .edit = {}};
+    Relief relief{.kind = move.kind, .element = move.element, .at = move.at, .text = {}, .edit = {}};
     std::vector<std::string> arguments = move.names;
     arguments.push_back(numberText(std::abs(amount), 2));
     relief.text = {amount > 0 ? move.more : move.less, std::move(arguments)};
