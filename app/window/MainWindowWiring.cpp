@@ -398,7 +398,7 @@ void MainWindow::connectFindings()
     // What is not on the screen yet is not called good.
     const auto update = [this] {
         const bool seen = m_coverView->pictures(m_solver->surface()) && m_covers->isTrimmed();
-        const bool known = seen && m_findings->known();
+        const bool known = seen && m_findings->known() && m_solver->atRest();
         const std::vector<CoverFinding> findings = findingsToSay();
         m_status->setFindings(findings, known);
         m_problemList->setFindings(findings, known);

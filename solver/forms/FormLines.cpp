@@ -113,7 +113,7 @@ public:
     {
         m_soup = soup;
         m_notes = notes;
-        for (CutLine& each : m_lines)
+        for (LineToCut& each : m_lines)
             each.isCut = true;
     }
 
@@ -124,8 +124,8 @@ public:
             m_notes.push_back(std::move(why));
             return;
         }
-        m_current = static_cast<std::size_t>(std::ranges::find(m_lines, line, &CutLine::line) - m_lines.begin());
-        for (const CutLine& earlier : std::span(m_lines).first(m_current))
+        m_current = static_cast<std::size_t>(std::ranges::find(m_lines, line, &LineToCut::line) - m_lines.begin());
+        for (const LineToCut& earlier : std::span(m_lines).first(m_current))
             if (earlier.isCut && runsAlong(line, earlier.line)) {
                 m_notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 runs along %2, at %3: it is cut there once"),
                                    {line.name, earlier.line.name, middleOf(line)}});
@@ -375,7 +375,7 @@ private:
     double m_spacing; // mm between places on a line
     UncutForm m_form;
     std::vector<Message> m_notes;
-    std::vector<CutLine> m_lines; // nothing goes on to the others
+    std::vector<LineToCut> m_lines; // nothing goes on to the others
     std::size_t m_current = 0;    // of them, that is cut
     FormLine m_lastLine;          // that was to be cut
 };

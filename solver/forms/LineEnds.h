@@ -10,7 +10,7 @@ namespace bolster {
 inline constexpr double farthestLine = 25, shortestLine = 5;
 
 /// A line that is not refused.
-struct CutLine {
+struct LineToCut {
     FormLine line;
     std::vector<Vec3> places = {}; ///< as it goes on to others
     bool isCut = false;            ///< not where it cuts nothing, or not yet
@@ -21,7 +21,7 @@ struct CutLine {
 class LineEnds {
 public:
     /// `spacing` of the places of a line, mm; `own`: its number.
-    LineEnds(const UncutForm& form, const std::vector<CutLine>& lines, std::size_t own, double spacing)
+    LineEnds(const UncutForm& form, const std::vector<LineToCut>& lines, std::size_t own, double spacing)
         : m_form(form)
         , m_lines(lines)
         , m_own(own)
@@ -52,7 +52,7 @@ private:
     Vec3 goneOn(const Vec3& end, const Vec3& before) const;
 
     const UncutForm& m_form;
-    const std::vector<CutLine>& m_lines;
+    const std::vector<LineToCut>& m_lines;
     std::size_t m_own;
     double m_spacing;
 };

@@ -272,6 +272,18 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(count<Patch>(), 0);
     EXPECT_EQ(count<FixationCurve>(), 4);
+
+    // A line that was not to be cut is not when the window is opened again.
+    for (const Qt::CheckState expected : {Qt::Checked, Qt::Unchecked}) {
+        designer.choose({"Pattern", "From a form"});
+        dialog = window.findChild<FormPatternWindow*>();
+        ASSERT_TRUE(dialog);
+        QTreeWidgetItem* line = dialog->findChild<QTreeWidget*>()->topLevelItem(0);
+        EXPECT_EQ(line->checkState(0), expected);
+        line->setCheckState(0, Qt::Unchecked);
+        dialog->close();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.findChild<FormPatternWindow*>(); }, 10000));
+    }
 }
 
 TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)
@@ -897,6 +909,9 @@ TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
     ASSERT_FALSE(reliefs.empty());
     ASSERT_TRUE(reliefs.front().solved);
     EXPECT_GT(reliefs.front().solved->energy, 0.02);
+    for (const Relief& relief : reliefs)
+        EXPECT_EQ(relief.at.has_value(), relief.kind == Relief::Kind::Corner || relief.kind == Relief::Kind::Dart)
+            << relief.text.english() << ": where it is, to be marked";
     int pictures = 0;
     for (const auto* label : dialog->findChildren<QLabel*>())
         pictures += !label->pixmap().isNull();
