@@ -83,15 +83,22 @@ FormSheet refined(const FormSheet& sheet)
     return fine;
 }
 
-/// Points of edges that bend, and part the halves: the line goes along there.
+/// Points of edges that bend, and part the halves: the line goes along there. How much they bend is said by all
+/// triangles around them, on either side: single ones of a rough form lean anywhere.
 std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofTriangles)
 {
+    std::array<std::vector<Vec3>, 2> normals; // mm^2, of the triangles at each point in either half
+    normals.fill(std::vector<Vec3>(sheet.points.size(), Vec3::Zero()));
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
+        for (const int corner : sheet.triangles[t])
+            normals[ofTriangles[t] < 0 ? 0 : 1][corner] += sheet.areaNormal(t);
     std::vector<bool> on(sheet.points.size(), false);
     const double bend = std::cos(sharpBend * std::numbers::pi / 180);
     eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
         if (last - first != 2 || ofTriangles[first[0].triangle] * ofTriangles[first[1].triangle] >= 0)
             return;
-        const Vec3 one = sheet.areaNormal(first[0].triangle), other = sheet.areaNormal(first[1].triangle);
+        const Vec3 one = normals[0][first->low] + normals[0][first->high],
+                   other = normals[1][first->low] + normals[1][first->high];
         if (one.dot(other) < bend * one.norm() * other.norm())
             on[first->low] = on[first->high] = true;
     });
