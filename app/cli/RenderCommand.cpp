@@ -249,6 +249,8 @@ int renderSeries(const RenderOrder& order, const OpenedDesign& opened, Interrupt
         printError("error: " + problem);
         return otherFailure;
     };
+    if (const std::string problem = order.series->slurm ? whyNoSlurm() : ""; !problem.empty())
+        return fail(problem);
     if (const Message problem = series.open(); !problem.empty())
         return fail(problem.english());
     if (order.series->slurm) {

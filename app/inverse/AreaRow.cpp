@@ -131,6 +131,7 @@ void AreaRow::take(const AreaBrushTool::Stamp& stamp)
     const SurfaceMeshPtr surface = m_parts.solver.surface();
     if (!surface || surface->positions.size() != surface->topology->pattern.size())
         return;
+    m_radius->display(stamp.radius); // keys change it while it is painted
     const std::vector<AreaSpot> under = spotsUnder(stamp, *surface);
     if (stamp.erases) {
         std::erase_if(m_spots, [&](const AreaSpot& spot) {

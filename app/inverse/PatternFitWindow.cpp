@@ -237,7 +237,7 @@ void PatternFitWindow::setRunning(bool running)
     m_run->setRunning(running);
     m_outcome->setVisible(hasFound());
     m_notes->setVisible(hasFound());
-    m_take->setEnabled(hasFound());
+    m_take->setEnabled(hasFound() && m_share->value() > 0);
 }
 
 void PatternFitWindow::showProgress(double share, const FitRound& round)

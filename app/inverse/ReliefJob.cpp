@@ -24,6 +24,10 @@ VertexMap strainMap(const SurfaceMesh& cover, const Design& design)
     return map;
 }
 
+/// Share of what is over the limit: what relieves nothing, or makes it worse, is not proposed however it was
+/// predicted.
+constexpr double leastGain = 0.005;
+
 /// Of the cover as it is, and of those with a relief, each once.
 class ReliefPictures {
 public:
@@ -37,7 +41,8 @@ public:
         ReliefFound found;
         found.number = m_wanted.number;
         found.list = list;
-        std::erase_if(found.list.reliefs, [](const Relief& relief) { return !relief.solved; });
+        std::erase_if(found.list.reliefs,
+                      [](const Relief& relief) { return !relief.solved || relief.solved->energy < leastGain; });
         std::ranges::stable_sort(found.list.reliefs, std::ranges::greater(),
                                  [](const Relief& relief) { return relief.solved->energy; });
         const Design& design = m_wanted.input.design;

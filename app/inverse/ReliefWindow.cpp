@@ -80,6 +80,7 @@ ReliefWindow::ReliefWindow(DesignSession& session, Selection& selection, CoverVi
 ReliefWindow::~ReliefWindow()
 {
     m_job.cancel();
+    unmark();
     *m_remembered = {m_ownLimit->isChecked(), m_limit->value(),   m_most->value(),
                      std::move(m_start),      std::move(m_found), std::move(m_made)};
 }
@@ -233,8 +234,15 @@ void ReliefWindow::showFound()
         addRelief(k);
 }
 
+void ReliefWindow::unmark()
+{
+    if (std::exchange(m_marked, false))
+        m_mark(std::nullopt);
+}
+
 void ReliefWindow::clearCards()
 {
+    unmark();
     while (m_rows->count() > 1) { // the last one is the stretch
         QLayoutItem* item = m_rows->takeAt(0);
         item->widget()->deleteLater();
@@ -292,10 +300,10 @@ void ReliefWindow::addRelief(std::size_t place)
     QFrame* card = addCard(m_found->pictures[place], translated(relief.text), lines.join('\n'));
     auto* show = new QPushButton(tr("Show where"), card);
     show->setAutoDefault(false);
-    connect(show, &QPushButton::clicked, this, [this, id = relief.element, at = relief.at] {
+    connect(show, &QPushButton::clicked, this, [this, id = relief.element, place = relief.place] {
         m_selection.set({id});
-        if (at)
-            m_mark({id, *at});
+        m_mark(CoverPoint{place.patch, place.at});
+        m_marked = true;
     });
     auto* takes = new QPushButton(tr("Make it"), card);
     takes->setAutoDefault(false);

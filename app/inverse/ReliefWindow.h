@@ -36,8 +36,8 @@ class ReliefWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// Marks a place in both views.
-    using Mark = std::function<void(const CoverPoint&)>;
+    /// Marks a place in both views, or none.
+    using Mark = std::function<void(const std::optional<CoverPoint>&)>;
     /// Begins as `remembered` says, which says then how it was when it was closed.
     ReliefWindow(DesignSession& session, Selection& selection, CoverView& view, Mark mark,
                  std::shared_ptr<ReliefMemory> remembered, QWidget* parent = nullptr);
@@ -55,6 +55,7 @@ private:
     void take(ReliefFound found);
     void showFound();
     void clearCards();
+    void unmark();
     QFrame* addCard(const QImage& picture, const QString& title, const QString& more);
     void addRelief(std::size_t place);
     void make(std::size_t place);
@@ -66,6 +67,7 @@ private:
     Selection& m_selection;
     CoverView& m_view;
     Mark m_mark;
+    bool m_marked = false;
     std::shared_ptr<ReliefMemory> m_remembered;
 
     QCheckBox* m_ownLimit = nullptr;

@@ -182,7 +182,9 @@ void MainWindow::addDesignCommands(CoverAtRest& cover)
     addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);
     addArea<InverseCommands>(
         commands, InverseCommands::Parts{*m_session, m_selection, *m_solver, *m_maps, *m_pattern, *m_coverView,
-                                         *this, [this](const CoverPoint& at) { m_mapCommands->showSpot(at); }});
+                                         *this, [this](const std::optional<CoverPoint>& at) {
+                                             at ? m_mapCommands->showSpot(*at) : m_mapCommands->hideSpot();
+                                         }});
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
                                           *m_solver, *m_pattern, *m_coverView, *m_inspector, *m_docks, *this});

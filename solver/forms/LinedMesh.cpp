@@ -13,7 +13,7 @@ namespace bolster {
 namespace {
 
 constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
-constexpr double onePlace = 0.02;  // mm: a line that ends so near another one meets it
+constexpr double onePlace = 0.02;  // mm: lines that pass so near each other meet
 constexpr double lowest = 0.01;    // height of a triangle, of its longest edge
 constexpr int roundsOfTidying = 6;
 constexpr double longestSpur = 14; // mm: what hangs over at the end of a line that was prolonged
@@ -223,23 +223,20 @@ bool LinedMesh::isOnLine(Vertex v) const
     return std::ranges::any_of(around, [&](auto half) { return cut[mesh.edge(half)]; });
 }
 
-bool LinedMesh::endsAt(Vertex v) const
-{
-    return !mesh.is_border(v) && cutsAt(v).size() == 1;
-}
-
-/// Of those edges of two triangles beside an edge that become one, one at most is held.
+/// Of those edges of two triangles beside an edge that become one, one at most is held; two lines beside a splinter
+/// become one.
 bool LinedMesh::canCollapse(FormEdge e) const
 {
     const Vertex a = mesh.vertex(e, 0), b = mesh.vertex(e, 1);
     if (isShared(a) || isShared(b) || !CGAL::Euler::does_satisfy_link_condition(e, mesh))
         return false;
     for (const auto half : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
-        if (!mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half))))
+        if (!mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half))) &&
+            (lengthOf(e) >= onePlace ||
+             (mesh.is_border(mesh.edge(mesh.next(half))) && mesh.is_border(mesh.edge(mesh.prev(half))))))
             return false;
     const bool bothHeld = (isOnLine(a) || mesh.is_border(a)) && (isOnLine(b) || mesh.is_border(b));
-    const bool meetHere = lengthOf(e) < onePlace && (endsAt(a) || endsAt(b));
-    return isHeld(e) || !bothHeld || meetHere;
+    return isHeld(e) || !bothHeld || lengthOf(e) < onePlace;
 }
 
 /// A line that passes close by a point goes through it. Whether there were such.
@@ -260,6 +257,10 @@ bool LinedMesh::joinNearPoints()
         };
         const Kernel::Point_3 at = mesh.point(rank(a) > rank(b) ? a : b);
         cut[e] = false;
+        for (const auto half : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
+            if (!mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half))))
+                cut[mesh.edge(mesh.is_border(mesh.edge(mesh.next(half))) ? mesh.prev(half) : mesh.next(half))] =
+                    false;
         mesh.point(CGAL::Euler::collapse_edge(e, mesh, HeldEdges{&mesh, &cut, e})) = at;
         any = true;
     }

@@ -60,7 +60,6 @@ private:
     bool isCap(Vertex a, Vertex b, Vertex c) const;
     bool isHeld(FormEdge e) const;
     bool isOnLine(Vertex v) const;
-    bool endsAt(Vertex v) const;
     bool canCollapse(FormEdge e) const;
     std::vector<FormEdge> cutsAt(Vertex v) const;
     bool joinNearPoints();

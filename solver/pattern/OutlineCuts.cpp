@@ -167,7 +167,8 @@ Problems OutlineCuts::strayStretches() const
     const auto look = [&](const OutlineSpan& span, ElementId id, const char* field) {
         const CutOutline& outline = m_outlines[span.outline];
         const double same = rounding * m_edge;
-        if (outline.near(span.s0, same) < 0 || outline.near(span.s1, same) < 0 || !(span.s1 > span.s0))
+        const int from = outline.near(span.s0, same), to = outline.near(span.s1, same);
+        if (from < 0 || to < 0 || (from == to && span.s1 - span.s0 < outline.total() / 2))
             problems.push_back(
                 problem(id, field,
                         QT_TRANSLATE_NOOP("Message", "the stretch does not lie on its outline any more. "
@@ -185,7 +186,7 @@ Problems OutlineCuts::strayStretches() const
 
 void OutlineCuts::cutAtCornersAndEnds()
 {
-    const double tiny = 0.1 * rounding * m_edge;
+    const double tiny = rounding * m_edge;
     auto ends = [&](const OutlineSpan& span) {
         m_outlines[span.outline].add(span.t0, tiny);
         m_outlines[span.outline].add(span.t1, tiny);
@@ -235,23 +236,23 @@ std::vector<OutlineCuts::Along> OutlineCuts::along(const OutlineSpan& span, Matc
 {
     const CutOutline& outline = m_outlines[span.outline];
     const double same = rounding * m_edge;
-    const int first = outline.near(span.s0, same);
-    const int n = outline.pieceCount();
+    const int first = outline.near(span.s0, same), last = outline.near(span.s1, same), n = outline.pieceCount();
+    // By the order of the cuts, not by how far they are: one may lie as near to an end as the one that stands for
+    // it.
+    const bool isTiny = span.s1 - span.s0 < outline.total() / 2;
+    const int pieces = first == last ? (isTiny ? 0 : n) : (last - first + n) % n;
+    const double turns = std::round((span.s0 - outline.cuts[first].s) / outline.total());
     std::vector<Along> result{{first, 0.0}};
-    for (int k = 1; k <= n; ++k) {
-        const Cut& cut = outline.cuts[(first + k) % n];
-        double s = cut.s, t = cut.t;
-        while (s <= span.s0 + same) {
-            s += outline.total();
-            t += outline.curve->period();
-        }
-        if (s >= span.s1 - same)
-            break;
+    for (int k = 1; k < pieces; ++k) {
+        const int index = (first + k) % n;
+        const double around = turns + (index <= first ? 1 : 0);
+        const double s = outline.cuts[index].s + around * outline.total(),
+                     t = outline.cuts[index].t + around * outline.curve->period();
         const double fraction =
             match == Match::Parameter ? (t - span.t0) / (span.t1 - span.t0) : (s - span.s0) / (span.s1 - span.s0);
-        result.push_back({(first + k) % n, fraction});
+        result.push_back({index, std::clamp(fraction, 0.0, 1.0)});
     }
-    result.push_back({outline.near(span.s1, same), 1.0});
+    result.push_back({last, 1.0});
     if (backwards) {
         std::reverse(result.begin(), result.end());
         for (Along& a : result)

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 class QAction;
 class QDialog;
@@ -40,7 +41,7 @@ public:
         PatternView& pattern;
         CoverView& cover;
         QWidget& window;
-        std::function<void(const CoverPoint&)> mark; ///< a place, in both views
+        std::function<void(const std::optional<CoverPoint>&)> mark; ///< a place in both views, or none
     };
     InverseCommands(Commands& commands, const Parts& parts);
     ~InverseCommands() override;

@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QProcess>
+#include <QStandardPaths>
 #include <QThread>
 
 namespace bolster::cli {
@@ -45,6 +46,11 @@ std::string scriptOf(const SlurmOrder& order)
 }
 
 } // namespace
+
+std::string whyNoSlurm()
+{
+    return QStandardPaths::findExecutable("sbatch").isEmpty() ? "sbatch is not there: is Slurm installed here?" : "";
+}
 
 SlurmOrder SlurmOrder::from(const Arguments& arguments, const QString& subcommand, const QString& folder)
 {

@@ -24,6 +24,9 @@ struct SlurmOrder {
     static SlurmOrder from(const Arguments& arguments, const QString& subcommand, const QString& folder);
 };
 
+/// Why no jobs can be submitted from here; empty where they can. To be asked before long work.
+std::string whyNoSlurm();
+
 /// Submits an array of jobs and waits for its end, until `isDone`: jobs that die or are killed leave something to
 /// do, and another array does that; gives up after some. When stopped the jobs are cancelled. Returns what went
 /// wrong, or an empty message.

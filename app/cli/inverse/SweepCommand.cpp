@@ -332,6 +332,10 @@ int sweep(std::span<const std::string> words)
     const int samples = arguments.integer("--samples", 0, 0, 1'000'000);
     const int linear = arguments.integer("--linear", 10'000, 100, 1'000'000);
     const JobShare share = jobShare(arguments);
+    if (const std::string problem = arguments.has("--slurm") ? whyNoSlurm() : ""; !problem.empty()) {
+        printError("error: " + problem);
+        return otherFailure;
+    }
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
     if (printErrors(opened.problems))

@@ -35,6 +35,29 @@ bool isMirrored(const Design& design, ElementId id)
     return mirrored != noElement && mirrored < id;
 }
 
+/// As rulers have it.
+std::string textOf(const Design& design, const ReliefPlace& place)
+{
+    const Vec2 there = toLayout(*design.find<Patch>(place.patch), place.at);
+    return numberText(std::round(there.x())) + ", " + numberText(std::round(there.y()));
+}
+
+ReliefPlace middleOf(const Design& design, const Stretch& side)
+{
+    const BSpline2& outline = design.find<Patch>(side.patch)->outline;
+    const double end = unwrappedEnd(side.from, side.to, outline.domainStart(), outline.domainEnd());
+    return {side.patch, outline.at(outline.wrapped((side.from + end) / 2))};
+}
+
+/// Of the patch; of the sides of a patch that is sewn to itself with the place, or nobody could tell them apart.
+std::string sideName(const Design& design, const Seam& seam, const Stretch& side)
+{
+    std::string name = nameOf(design, side.patch);
+    if (seam.a.patch == seam.b.patch)
+        name.append(" (").append(textOf(design, middleOf(design, side))).append(")");
+    return name;
+}
+
 Freedom offsetOf(const Stretch& side, double step)
 {
     Freedom freedom{.kind = Freedom::Kind::Offset, .element = side.patch, .from = side.from, .to = side.to};
@@ -66,15 +89,16 @@ std::vector<Freedom> lengthening(const Design& design, const Stretch& side)
 
 void addMovesOf(std::vector<ReliefMove>& moves, const Design& design, ElementId id, const Seam& seam)
 {
-    const std::string a = nameOf(design, seam.a.patch), b = nameOf(design, seam.b.patch);
+    const std::string a = sideName(design, seam, seam.a), b = sideName(design, seam, seam.b);
     for (const bool second : {false, true}) {
         const Stretch& side = second ? seam.b : seam.a;
         const std::vector<std::string> names = second ? std::vector{b, a} : std::vector{a, b};
-        moves.push_back({Relief::Kind::Ease, id, lengthening(design, side),
+        moves.push_back({Relief::Kind::Ease, id, middleOf(design, side), lengthening(design, side),
                          QT_TRANSLATE_NOOP("Message", "Make %1 longer by %3 mm where it is sewn to %2"),
                          QT_TRANSLATE_NOOP("Message", "Make %1 shorter by %3 mm where it is sewn to %2"), names});
         moves.push_back({Relief::Kind::LetOut,
                          id,
+                         middleOf(design, side),
                          {offsetOf(side, 1)},
                          QT_TRANSLATE_NOOP("Message", "Let out %1 at %2 by %3 mm"),
                          QT_TRANSLATE_NOOP("Message", "Take in %1 at %2 by %3 mm"),
@@ -83,20 +107,14 @@ void addMovesOf(std::vector<ReliefMove>& moves, const Design& design, ElementId 
     if (seam.a.patch != seam.b.patch)
         moves.push_back({Relief::Kind::MoveSeam,
                          id,
+                         middleOf(design, seam.a),
                          {offsetOf(seam.a, 1), offsetOf(seam.b, -1)},
                          QT_TRANSLATE_NOOP("Message", "Move the seam of %1 and %2 by %3 mm into %2"),
                          QT_TRANSLATE_NOOP("Message", "Move the seam of %1 and %2 by %3 mm into %1"),
                          {a, b}});
 }
 
-/// As rulers have it, of a place of its outline.
-std::string placeOf(const Patch& patch, const Vec2& at)
-{
-    const Vec2 there = toLayout(patch, at);
-    return numberText(std::round(there.x())) + ", " + numberText(std::round(there.y()));
-}
-
-void addCornersOf(std::vector<ReliefMove>& moves, ElementId id, const Patch& patch)
+void addCornersOf(std::vector<ReliefMove>& moves, const Design& design, ElementId id, const Patch& patch)
 {
     const BSpline2& outline = patch.outline;
     const double small = 1e-6 * outline.period(), around = outline.signedArea() > 0 ? 1 : -1;
@@ -106,15 +124,16 @@ void addCornersOf(std::vector<ReliefMove>& moves, ElementId id, const Patch& pat
         const double turn = around * (in.x() * out.y() - in.y() * out.x());
         if (std::abs(turn) < 0.3)
             continue; // no corner to be let out
+        const ReliefPlace place{id, outline.at(corner)};
         Freedom freedom{.kind = Freedom::Kind::OutlinePoint, .element = id, .index = outline.pointAt(corner)};
         freedom.direction = (in - out).normalized() * (turn > 0 ? 1 : -1);
         moves.push_back({Relief::Kind::Corner,
                          id,
+                         place,
                          {std::move(freedom)},
                          QT_TRANSLATE_NOOP("Message", "Let out the corner of %1 at %2 by %3 mm"),
                          QT_TRANSLATE_NOOP("Message", "Take in the corner of %1 at %2 by %3 mm"),
-                         {patch.name, placeOf(patch, outline.at(corner))},
-                         outline.at(corner)});
+                         {patch.name, textOf(design, place)}});
     }
 }
 
@@ -217,13 +236,17 @@ std::optional<Relief> dartAt(const Design& design, const StrainedPatch& strained
     edits::DartShape dart = edits::dartBetween(design, strained.patch, from, *to);
     const edits::DartAxis axis = edits::dartAxis(outline, dart);
     dart.tip = axis.middle + depth * axis.inwards;
-    Relief relief{.kind = Relief::Kind::Dart, .element = strained.patch, .at = axis.middle, .text = {}, .edit = {}};
+    Relief relief{.kind = Relief::Kind::Dart,
+                  .element = strained.patch,
+                  .place = {strained.patch, axis.middle},
+                  .text = {},
+                  .edit = {}};
     relief.edit = edits::withFollowers(design, edits::addDart(design, dart));
     if (relief.edit.empty() || edits::brokenBy(design, relief.edit))
         return std::nullopt;
     relief.text = {QT_TRANSLATE_NOOP("Message", "Cut a dart into %1 at %2, %3 mm wide and %4 mm deep"),
-                   {nameOf(design, strained.patch), placeOf(*design.find<Patch>(strained.patch), axis.middle),
-                    numberText(width), numberText(std::round(depth))}};
+                   {nameOf(design, strained.patch), textOf(design, relief.place), numberText(width),
+                    numberText(std::round(depth))}};
     relief.sewn = std::hypot(depth, width / 2);
     relief.moved = width / 2;
     return relief;
@@ -244,6 +267,7 @@ std::vector<ReliefMove> reliefMoves(const Design& design)
         const auto* curve = design.find<FixationCurve>(fixation.curve);
         moves.push_back({Relief::Kind::LetOut,
                          id,
+                         middleOf(design, fixation.stretch),
                          {offsetOf(fixation.stretch, 1)},
                          QT_TRANSLATE_NOOP("Message", "Let out %1 at %2 by %3 mm"),
                          QT_TRANSLATE_NOOP("Message", "Take in %1 at %2 by %3 mm"),
@@ -251,7 +275,7 @@ std::vector<ReliefMove> reliefMoves(const Design& design)
     });
     design.each<Patch>([&](ElementId id, const Patch& patch) {
         if (!isMirrored(design, id))
-            addCornersOf(moves, id, patch);
+            addCornersOf(moves, design, id, patch);
     });
     return moves;
 }
@@ -263,7 +287,7 @@ Design withMove(const Design& design, const ReliefMove& move, double amount)
 
 Relief reliefOf(const Design& design, const ReliefMove& move, double amount)
 {
-    Relief relief{.kind = move.kind, .element = move.element, .at = move.at, .text = {}, .edit = {}};
+    Relief relief{.kind = move.kind, .element = move.element, .place = move.place, .text = {}, .edit = {}};
     std::vector<std::string> arguments = move.names;
     arguments.push_back(numberText(std::abs(amount), 2));
     relief.text = {amount > 0 ? move.more : move.less, std::move(arguments)};
@@ -281,10 +305,14 @@ std::vector<Relief> continuityReliefs(const Design& design)
         if (isMirrored(design, id))
             return;
         const bool sharp = seam.continuity == Continuity::C0;
-        Relief relief{.kind = Relief::Kind::Continuity, .element = id, .text = {}, .edit = {}};
+        Relief relief{.kind = Relief::Kind::Continuity,
+                      .element = id,
+                      .place = middleOf(design, seam.a),
+                      .text = {},
+                      .edit = {}};
         relief.text = {sharp ? QT_TRANSLATE_NOOP("Message", "Make the seam of %1 and %2 smooth")
                              : QT_TRANSLATE_NOOP("Message", "Let the seam of %1 and %2 be sharp"),
-                       {nameOf(design, seam.a.patch), nameOf(design, seam.b.patch)}};
+                       {sideName(design, seam, seam.a), sideName(design, seam, seam.b)}};
         relief.edit = edits::withFollowers(
             design, edits::setContinuity(design, std::array{id}, sharp ? Continuity::G1 : Continuity::C0));
         reliefs.push_back(std::move(relief));

@@ -10,11 +10,11 @@ namespace bolster {
 struct ReliefMove {
     Relief::Kind kind = Relief::Kind::LetOut;
     ElementId element{};
+    ReliefPlace place;
     std::vector<Freedom> freedoms;  ///< each moves by the amount times its step
     const char* more = nullptr;     ///< Message for amounts above 0
     const char* less = nullptr;     ///< and below it
     std::vector<std::string> names; ///< %1, %2; the amount comes after them
-    std::optional<Vec2> at = {};    ///< as of a Relief
 };
 
 /// Of all seams, edges that are held, and corners; of two that mirror each other the first one.

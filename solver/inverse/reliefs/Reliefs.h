@@ -25,13 +25,19 @@ struct ReliefGain {
     double area = 0;   ///< where something is over the limit
 };
 
+/// On the outline of a patch, mm.
+struct ReliefPlace {
+    ElementId patch{};
+    Vec2 at = Vec2::Zero();
+};
+
 struct Relief {
     enum class Kind { Ease, LetOut, MoveSeam, Corner, Dart, Continuity };
 
     Kind kind = Kind::LetOut;
-    ElementId element{};         ///< seam, fixation seam or patch
-    std::optional<Vec2> at = {}; ///< of a corner or a dart: where on the outline of that patch, mm
-    Message text;                ///< what it does, as an order
+    ElementId element{};    ///< seam, fixation seam or patch
+    ReliefPlace place = {}; ///< where it is: of an edge its middle
+    Message text;           ///< what it does, as an order
     Edit edit;
     double predicted = 0;                  ///< gain of energy
     std::optional<ReliefGain> solved = {}; ///< on the design's triangles; nothing: not solved, or no cover at rest
