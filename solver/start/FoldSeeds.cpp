@@ -72,14 +72,13 @@ struct Flatness {
     }
 };
 
-/// Whether a component that lies nearly in a plane is too large for its room there.
-enum class Excess { None, Slight, BothWays };
-
-std::vector<Excess> excessOf(const SewnMesh& mesh, const SheetState& state)
+/// Which components lie nearly in a plane and are too large for their room there, in both directions or hardly.
+/// What is much too wide in one direction folds in many ways, which the ripple decides.
+std::vector<bool> rising(const SewnMesh& mesh, const SheetState& state)
 {
-    constexpr double thinnest = 0.02;    // of D
-    constexpr double mostSlack = 0.06;   // strain
-    constexpr double pressedBoth = 0.02; // strain: the larger one, on the average of what is pressed together
+    constexpr double thinnest = 0.02;     // of D
+    constexpr double mostSlack = 0.06;    // strain
+    constexpr double pressedBoth = 0.003; // strain: the larger one, on the average of what is pressed together
     std::vector<Flatness> all(mesh.diameter.size());
     for (const SewnMesh::Part& part : mesh.parts) {
         Flatness& component = all[part.component];
@@ -98,16 +97,10 @@ std::vector<Excess> excessOf(const SewnMesh& mesh, const SheetState& state)
             }
         }
     }
-    std::vector<Excess> result;
-    for (std::size_t c = 0; c < all.size(); ++c) {
-        const bool isFlat = all[c].thickness() < thinnest * mesh.diameter[c];
-        if (!isFlat || !(all[c].pressed > 0))
-            result.push_back(Excess::None);
-        else if (all[c].larger < -pressedBoth * all[c].pressed)
-            result.push_back(Excess::BothWays);
-        else
-            result.push_back(all[c].most < mostSlack ? Excess::Slight : Excess::None);
-    }
+    std::vector<bool> result;
+    for (std::size_t c = 0; c < all.size(); ++c)
+        result.push_back(all[c].thickness() < thinnest * mesh.diameter[c] && all[c].pressed > 0 &&
+                         (all[c].larger < -pressedBoth * all[c].pressed || all[c].most < mostSlack));
     return result;
 }
 
@@ -145,16 +138,16 @@ std::vector<double> heights(const SewnMesh& mesh, const SheetState& state)
 
 /// The pattern of a dome, or of a box, within its rim: each place as high above it as its cloth reaches. Momentum
 /// carried what began a little above the rim's plane through it.
-void standUp(const SewnMesh& mesh, const std::vector<Excess>& excess, SheetState& state)
+void standUp(const SewnMesh& mesh, const std::vector<bool>& rises, SheetState& state)
 {
-    if (std::ranges::count(excess, Excess::BothWays) == 0)
+    if (std::ranges::count(rises, true) == 0)
         return;
     const std::vector<Rim> rims = rimsOf(mesh);
     const std::vector<double> height = heights(mesh, state);
     std::vector<Vec3> up(height.size(), Vec3::Zero());
     for (const SewnMesh::Part& part : mesh.parts)
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
-            if (excess[part.component] == Excess::BothWays)
+            if (rises[part.component])
                 up[mesh.topology->unknown[v]] = rims[part.component].up;
     for (int u = 0; u < mesh.freeCount; ++u)
         if (up[u] != Vec3::Zero()) // there may be nothing that holds it
@@ -168,12 +161,10 @@ void seedFolds(const SewnMesh& mesh, SheetState& state)
     constexpr double height = 0.002;   // of D
     constexpr double wavelength = 0.2; // of D
     constexpr double full = 0.02;
-    // By as much of D to the outside: symmetry would keep in its plane what is pressed together a little, since the
-    // dome that it takes has no part in a ripple. What is much too wide in one direction folds in many ways, which
-    // the ripple decides.
-    constexpr double lift = 0.006;
-    const std::vector<Excess> excess = excessOf(mesh, state);
-    standUp(mesh, excess, state);
+    constexpr double lift =
+        0.006; // of D to the outside: a dome has no part in a ripple, and symmetry keeps it flat
+    const std::vector<bool> rises = rising(mesh, state);
+    standUp(mesh, rises, state);
     for (const SewnMesh::Part& part : mesh.parts) {
         const double d = mesh.diameter[part.component];
         for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
@@ -184,7 +175,7 @@ void seedFolds(const SewnMesh& mesh, SheetState& state)
             const Eigen::Vector3d normal = rotationOf(state.frames.col(v)).col(2);
             auto place = state.positions.col(mesh.topology->unknown[v]);
             place += share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
-            if (excess[part.component] != Excess::None) // all of it: near the least slack the dome grows slowly
+            if (rises[part.component]) // all of it: near the least slack the dome grows slowly
                 place += lift * d * part.outward * normal;
         }
     }

@@ -3,6 +3,7 @@
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "MeshImport.h"
+#include "OutlineSampling.h"
 #include "StretchLength.h"
 #include "TestForms.h"
 #include "TestPaths.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace bolster::test {
 namespace {
@@ -765,6 +767,29 @@ TEST(FormLines, ThatEndAtABorderNeedNotGoOnToItsCorner)
     ASSERT_EQ(form.pieces.size(), 2U);
     const FormPattern made = formPattern(form, flatten(form, {}), {});
     EXPECT_EQ(std::ranges::count(made.patches, noElement), 0);
+}
+
+/// Three points around a corner of a box: where they are cut into its edges, edges of some nanometres were left,
+/// and the design of that ended the program.
+TEST(FormLines, LoopsAroundACornerMakeDesignsThatCanBeSewn)
+{
+    std::mt19937 random(7);
+    const auto between = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    const Vec3 corner(0, 0, 180);
+    for (int round = 0; round < 60; ++round) {
+        FormLine loop{"Loop", {}, true};
+        loop.points = {corner + Vec3(between(8, 60), between(8, 60), 0),
+                       corner + Vec3(0, between(8, 60), -between(8, 60)),
+                       corner + Vec3(between(8, 60), 0, -between(8, 60))};
+        const Form form = cutForm(trayMesh({"x"}, 300, 180), {false, 15, {loop}});
+        const FormPattern made = formPattern(form, flatten(form, {}), {});
+        for (const Problem& problem : checkDesign(made.design))
+            EXPECT_NE(problem.severity, Severity::Error) << round << ": " << problem.english();
+        for (const Problem& problem : sampleOutlines(made.design).problems)
+            ADD_FAILURE() << round << ": " << problem.english();
+    }
 }
 
 } // namespace

@@ -132,6 +132,29 @@ TEST(OutlineSampling, CornersCloseTogetherPairWithTheNearest)
     }
 }
 
+/// A corner a millionth of an edge behind the beginning of a seam hid all the others from it, and the program
+/// ended.
+TEST(OutlineSampling, CornersWithinRoundingOfAnEndAreThatEnd)
+{
+    for (const double apart : {2e-5, 2e-4, 4e-4}) {
+        DesignBuilder builder(30);
+        const ElementId fabric = builder.fabric(0.3, 5);
+        const BSpline2 two(1, true, {{0, 0}, {apart, 0}, {120, 0}, {200, 0}, {200, 90}, {0, 90}});
+        const BSpline2 one(1, true, {{0, 0}, {200, 0}, {200, 90}, {120, 90}, {0, 90}});
+        const ElementId a = builder.patch(two, fabric), b = builder.patch(one, fabric);
+        builder.seam({a, 0, 3}, {b, 2, 4}, true);
+        builder.seam({a, 4, 0}, {b, 4, 0}, true);
+        const OutlineSampling sampling = sampleOutlines(builder.design());
+        ASSERT_TRUE(sampling.problems.empty()) << apart;
+        for (const auto& chain : sampling.seams)
+            EXPECT_EQ(chain.a.size(), chain.b.size()) << apart;
+        std::size_t corners = 0;
+        for (const int sample : sampling.seams[0].a)
+            corners += std::abs(sampling.outlines[0].points[sample].x() - 120) < 1e-6;
+        EXPECT_EQ(corners, 1U) << apart;
+    }
+}
+
 TEST(OutlineSampling, WholeOutlinesCanBeSewn)
 {
     DesignBuilder b(10);
