@@ -9796,6 +9796,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“, oder halten Sie ihn mit einer Fixierung.</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: halten Sie ihn mit einer Fixierung, oder geben Sie seinen Teilen Druck.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

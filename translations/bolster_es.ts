@@ -9796,6 +9796,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: marque «Mantiene la funda fuera» en el armazón, o sujétela con una fijación.</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: sujétela con una fijación, o dé presión a sus piezas.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9796,6 +9796,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature, ou tenez-la par une fixation.</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: tenez-la par une fixation, ou donnez de la pression à ses pièces.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9796,6 +9796,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: spuntare «Tiene fuori il rivestimento» nel telaio, o tenerlo con un fissaggio.</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: tenerlo con un fissaggio, o dare pressione ai suoi pezzi.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9770,6 +9770,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。フレームで「カバーを外側に保つ」にチェックを入れるか、固定してください。</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。固定するか、パーツに圧力を与えてください。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -9822,6 +9822,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: zaznacz przy stelażu „Nie wpuszcza pokrowca” albo przytrzymaj go mocowaniem.</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: przytrzymaj go mocowaniem albo nadaj jego elementom ciśnienie.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

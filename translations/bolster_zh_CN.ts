@@ -9770,6 +9770,10 @@
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
         <translation>静止的面套在无固定处偏离形体最多 %1：请在骨架处勾选“挡住面套”，或用固定将其固定。</translation>
     </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>静止的面套在无固定处偏离形体最多 %1：请用固定将其固定，或给其样片施加压力。</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FoundPiecesView</name>

@@ -701,8 +701,12 @@ void FormPatternWindow::sayCover(QStringList& lines) const
     for (const Vec3& point : m_made->form.points)
         box.extend(point);
     if (m_cover->beside > std::max(leastBeside, shareBeside * box.diagonal().norm()))
-        lines << tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: tick \"Keeps the "
-                    "cover outside\" at the frame, or hold it by a fixation.")
+        lines << (frame() && !frame()->contact
+                      ? tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: tick \"Keeps "
+                           "the "
+                           "cover outside\" at the frame, or hold it by a fixation.")
+                      : tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a "
+                           "fixation, or give its pieces pressure."))
                      .arg(lengthText(m_cover->beside, 0));
     if (!m_cover->atRest)
         lines << tr("Its cover does not come to rest.");

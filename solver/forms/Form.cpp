@@ -25,6 +25,8 @@ constexpr int samplesOfSpan = 8;                             // of a curve
 constexpr double leastPiece = 25;                            // mm^2: what lines cut off besides is no piece
 constexpr double leastFacet = 1000, leastFacetShare = 0.005; // mm^2, and of the form: what bends cut off is none
 constexpr double leastWidth = 0.5;                           // mm
+constexpr double leastFlatness = 0.05;                       // of edges around which a form bends
+constexpr double shareDrawn = 0.3;                           // of the border of what a line cuts off
 constexpr int mostDissolving = 50;                           // rounds
 constexpr int mostCutsOpen = 200; // of rings; more holes than that nobody wants to sew up
 
@@ -104,8 +106,11 @@ private:
                 return;
             const bool parts =
                 m_cuts.groups && m_welded.part[first[0].triangle] != m_welded.part[first[1].triangle];
-            const bool bends = m_cuts.angle && normal(first[0].triangle).dot(normal(first[1].triangle)) < bend;
+            const double cosine = normal(first[0].triangle).dot(normal(first[1].triangle));
+            const bool bends = m_cuts.angle && cosine < bend;
             const Edge edge{first->low, first->high};
+            if (bends || m_cut.contains(edge))
+                m_flatness[edge] = std::max(leastFlatness, cosine);
             if (bends && !parts && !m_cut.contains(edge))
                 m_bendCuts.insert(edge);
             if (parts || bends || first[0].forward == first[1].forward)
@@ -233,19 +238,26 @@ private:
         return (at(1) - at(0)).cross(at(2) - at(0)).norm() / 2;
     }
 
+    /// What a line cuts off beside a bend was drawn so, and is a piece however small a facet of a rough form would
+    /// be.
     bool isSplinter(const FormPiece& piece, double least) const
     {
-        double area = 0, length = 0;
+        double area = 0, length = 0, onLines = 0;
         const auto at = [&](int vertex) { return m_welded.points[piece.points[vertex]]; };
         for (const Corners& t : piece.triangles)
             area += areaOf({piece.points[t[0]], piece.points[t[1]], piece.points[t[2]]});
-        for (std::size_t k = 0; k < piece.border.size(); ++k)
-            length += (at(piece.border[piece.after(k)]) - at(piece.border[k])).norm();
-        return area < std::max(least, leastWidth / 2 * length);
+        for (std::size_t k = 0; k < piece.border.size(); ++k) {
+            const int from = piece.border[k], to = piece.border[piece.after(k)];
+            const double edge = (at(to) - at(from)).norm();
+            length += edge;
+            onLines += m_lineCuts.contains(std::minmax(piece.points[from], piece.points[to])) ? edge : 0;
+        }
+        const double asDrawn = onLines > shareDrawn * length ? leastPiece : least;
+        return area < std::max(std::min(least, asDrawn), leastWidth / 2 * length);
     }
 
-    /// Splinters between lines, borders and bends go to the neighbour that they have most in common with. Whether
-    /// there were such, so that the form falls apart anew.
+    /// Splinters between lines, borders and bends go to the neighbour that they have most in common with, rather to
+    /// one in their plane than around an edge. Whether there were such, so that the form falls apart anew.
     bool dissolveSplinters()
     {
         return dissolveSplinters(m_lineCuts, leastPiece) || dissolveSplinters(m_bendCuts, leastBent());
@@ -268,14 +280,14 @@ private:
             const FormPiece& piece = m_form.pieces[p];
             if (changed.contains(p) || !isSplinter(piece, least))
                 continue;
-            std::map<int, std::pair<double, std::vector<Edge>>> beside; // by piece: the length, and the edges
+            std::map<int, std::pair<double, std::vector<Edge>>> beside; // by piece: in common, mm, and the edges
             for (std::size_t k = 0; k < piece.border.size(); ++k) {
                 const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
                 const Edge edge{std::min(a, b), std::max(a, b)};
                 if (piece.mates[k].none() || !cuts.contains(edge))
                     continue;
-                auto& [length, edges] = beside[piece.mates[k].piece];
-                length += (m_welded.points[a] - m_welded.points[b]).norm();
+                auto& [common, edges] = beside[piece.mates[k].piece];
+                common += m_flatness.at(edge) * (m_welded.points[a] - m_welded.points[b]).norm();
                 edges.push_back(edge);
             }
             beside.erase(static_cast<int>(p));
@@ -407,6 +419,7 @@ private:
     FormDraft* m_draft;
     std::vector<HalfEdge> m_halves;
     std::set<Edge> m_cut, m_lineCuts, m_bendCuts;
+    std::map<Edge, double> m_flatness;                  // of those: cosine of the bend
     std::vector<int> m_pieceOf;                         // of each triangle
     std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
     std::vector<int> m_parts;                           // of each piece

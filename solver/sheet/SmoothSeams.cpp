@@ -20,9 +20,11 @@ constexpr double sharpAngle = 45 * EIGEN_PI / 180;
 constexpr int lopsidedRows = 4;
 // Half of it lets accelerated iterations circle where the bending length is five edges.
 constexpr double enoughDamping = 4;
-// Of what L2 has for a vertex with triangles of usual shapes, whose weights add up to about 1. In the middle of a
-// seam, with edges of two bending lengths, it is 0.2 to 0.42.
+// Of what L2 has for a vertex with triangles of usual shapes. In the middle of a seam, with edges of two bending
+// lengths, it is 0.2 to 0.42.
 constexpr double mostFlux = 0.65;
+// What the weights of a ring beside a seam add up to at most then; in tips and strips it is more.
+constexpr double usualWeights = 1.5;
 // So many edges apart the two sides of a closed corner can be joined.
 constexpr double tipEdges = 4;
 // A vertex of a seam takes much longer than others.
@@ -135,7 +137,7 @@ void SmoothSeams::boundFlux(Joint& joint) const
     }
     const double twice = 2 * m_mesh.parts[joint.part].bendingSquared();
     const double most =
-        mostFlux * (m_mesh.area[joint.vertex] + dampingOf(joint) + twice * std::min(smoothing, 1.0));
+        mostFlux * (m_mesh.area[joint.vertex] + dampingOf(joint) + twice * std::min(smoothing, usualWeights));
     for (double& weight : joint.flux)
         weight *= std::min(1.0, most / std::max(twice * flux, 1e-300));
 }

@@ -124,7 +124,7 @@ TEST_F(FlattenTest, WhatIsTooNarrowToBeSewnIsLeftOut)
     write("sliver.obj", "v 0 0 0\nv 100 0 0\nv 100.001 0 0\nv 200 0 0\nv 0 100 0\nv 100 100 0\nv 100.001 100 0\n"
                         "v 200 100 0\ng Left\nf 1 2 6 5\ng Sliver\nf 2 3 7 6\ng Right\nf 3 4 8 7\n");
     const ProgramRun run = flatten(path("sliver.obj"), {"--by", "groups"});
-    EXPECT_EQ(run.exitCode, 3) << run.err;
+    EXPECT_EQ(run.exitCode, 0) << "a millionth of the form counts for nothing; " << run.err;
     EXPECT_NE(run.err.find("Sliver is left out: it is too narrow"), std::string::npos) << run.err;
     EXPECT_EQ(count("patch"), 2u);
     EXPECT_EQ(callCommandLine({"check", path("out.json")}).exitCode, 0);

@@ -792,5 +792,21 @@ TEST(FormLines, LoopsAroundACornerMakeDesignsThatCanBeSewn)
     }
 }
 
+/// The strip between such a line and the edge went to the face around the edge, which lay over itself then.
+TEST(FormLines, AStripBelowAnEdgeStaysOnItsFace)
+{
+    const double side = 300, height = 80;
+    for (const double deep : {4.5, 6.0, 9.0})
+        for (const double shallow : {1.5, 4.2}) {
+            const FormLine line{"Line", {Vec3(50, 0, height - deep), Vec3(250, 0, height - shallow)}, false};
+            const Form form = cutForm(trayMesh({"x"}, side, height), {false, 30, {line}});
+            const std::vector<FlatPiece> flat = flatten(form, {});
+            const FormPattern made = formPattern(form, flat, {});
+            EXPECT_EQ(std::ranges::count(made.patches, noElement), 0) << deep << ", " << shallow;
+            const double largest = std::ranges::max(flat, {}, &FlatPiece::area).area;
+            EXPECT_NEAR(largest, side * side, 1) << "the top; " << deep << ", " << shallow;
+        }
+}
+
 } // namespace
 } // namespace bolster::test
