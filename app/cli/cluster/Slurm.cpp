@@ -49,7 +49,8 @@ std::string scriptOf(const SlurmOrder& order)
 
 std::string whyNoSlurm()
 {
-    return QStandardPaths::findExecutable("sbatch").isEmpty() ? "sbatch is not there: is Slurm installed here?" : "";
+    return QStandardPaths::findExecutable("sbatch").isEmpty() ? "sbatch is not there: is Slurm installed here?"
+                                                              : "";
 }
 
 SlurmOrder SlurmOrder::from(const Arguments& arguments, const QString& subcommand, const QString& folder)
