@@ -376,8 +376,8 @@ private:
     UncutForm m_form;
     std::vector<Message> m_notes;
     std::vector<LineToCut> m_lines; // nothing goes on to the others
-    std::size_t m_current = 0;    // of them, that is cut
-    FormLine m_lastLine;          // that was to be cut
+    std::size_t m_current = 0;      // of them, that is cut
+    FormLine m_lastLine;            // that was to be cut
 };
 
 bool isAmong(const FormLine& line, const std::vector<FormLine>& lines)
