@@ -703,8 +703,7 @@ void FormPatternWindow::sayCover(QStringList& lines) const
     if (m_cover->beside > std::max(leastBeside, shareBeside * box.diagonal().norm()))
         lines << (frame() && !frame()->contact
                       ? tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: tick \"Keeps "
-                           "the "
-                           "cover outside\" at the frame, or hold it by a fixation.")
+                           "the cover outside\" at the frame, or hold it by a fixation.")
                       : tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a "
                            "fixation, or give its pieces pressure."))
                      .arg(lengthText(m_cover->beside, 0));

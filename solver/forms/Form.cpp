@@ -106,12 +106,14 @@ private:
                 return;
             const bool parts =
                 m_cuts.groups && m_welded.part[first[0].triangle] != m_welded.part[first[1].triangle];
-            const double cosine = normal(first[0].triangle).dot(normal(first[1].triangle));
-            const bool bends = m_cuts.angle && cosine < bend;
             const Edge edge{first->low, first->high};
-            if (bends || m_cut.contains(edge))
+            const bool onLine = m_cut.contains(edge);
+            const double cosine = m_cuts.angle || onLine ? normal(first[0].triangle).dot(normal(first[1].triangle))
+                                                         : 1; // of no account
+            const bool bends = m_cuts.angle && cosine < bend;
+            if (bends || onLine)
                 m_flatness[edge] = std::max(leastFlatness, cosine);
-            if (bends && !parts && !m_cut.contains(edge))
+            if (bends && !parts && !onLine)
                 m_bendCuts.insert(edge);
             if (parts || bends || first[0].forward == first[1].forward)
                 m_cut.insert(edge);
@@ -252,8 +254,8 @@ private:
             length += edge;
             onLines += m_lineCuts.contains(std::minmax(piece.points[from], piece.points[to])) ? edge : 0;
         }
-        const double asDrawn = onLines > shareDrawn * length ? leastPiece : least;
-        return area < std::max(std::min(least, asDrawn), leastWidth / 2 * length);
+        const double enough = onLines > shareDrawn * length ? std::min(least, leastPiece) : least;
+        return area < std::max(enough, leastWidth / 2 * length);
     }
 
     /// Splinters between lines, borders and bends go to the neighbour that they have most in common with, rather to

@@ -58,9 +58,10 @@ void LineEnds::endOnEdge(std::vector<Vec3>& points) const
     double length = 0; // back to where the segment begins
     for (std::size_t k = points.size() - 1; k > 0; --k) {
         const Vec3 from = points[k], way = points[k - 1] - from;
-        for (double along = step; along < way.norm(); along += step) {
+        const double segment = way.norm();
+        for (double along = step; along < segment; along += step) {
             const double over = length + along;
-            const Vec3 at = from + along / way.norm() * way;
+            const Vec3 at = from + along / segment * way;
             if (over > (isOver ? farthestLine : overEdge))
                 return;
             const std::optional<Vec3> edge =
@@ -74,7 +75,7 @@ void LineEnds::endOnEdge(std::vector<Vec3>& points) const
             points.push_back(*edge);
             return;
         }
-        length += way.norm();
+        length += segment;
     }
 }
 

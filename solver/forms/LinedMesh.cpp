@@ -223,6 +223,21 @@ bool LinedMesh::isOnLine(Vertex v) const
     return std::ranges::any_of(around, [&](auto half) { return cut[mesh.edge(half)]; });
 }
 
+/// Of a triangle, whose other two edges become one when this one goes.
+bool LinedMesh::bothHeldBeside(CgalMesh::Halfedge_index half) const
+{
+    return !mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half)));
+}
+
+/// The one of these that is no border, and may give way to the other; none where both are.
+std::optional<FormEdge> LinedMesh::lineBeside(CgalMesh::Halfedge_index half) const
+{
+    for (const auto other : {mesh.next(half), mesh.prev(half)})
+        if (const FormEdge e = mesh.edge(other); !mesh.is_border(e))
+            return e;
+    return std::nullopt;
+}
+
 /// Of those edges of two triangles beside an edge that become one, one at most is held; two lines beside a splinter
 /// become one.
 bool LinedMesh::canCollapse(FormEdge e) const
@@ -231,9 +246,7 @@ bool LinedMesh::canCollapse(FormEdge e) const
     if (isShared(a) || isShared(b) || !CGAL::Euler::does_satisfy_link_condition(e, mesh))
         return false;
     for (const auto half : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
-        if (!mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half))) &&
-            (lengthOf(e) >= onePlace ||
-             (mesh.is_border(mesh.edge(mesh.next(half))) && mesh.is_border(mesh.edge(mesh.prev(half))))))
+        if (bothHeldBeside(half) && (lengthOf(e) >= onePlace || !lineBeside(half)))
             return false;
     const bool bothHeld = (isOnLine(a) || mesh.is_border(a)) && (isOnLine(b) || mesh.is_border(b));
     return isHeld(e) || !bothHeld || lengthOf(e) < onePlace;
@@ -258,9 +271,8 @@ bool LinedMesh::joinNearPoints()
         const Kernel::Point_3 at = mesh.point(rank(a) > rank(b) ? a : b);
         cut[e] = false;
         for (const auto half : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
-            if (!mesh.is_border(half) && isHeld(mesh.edge(mesh.next(half))) && isHeld(mesh.edge(mesh.prev(half))))
-                cut[mesh.edge(mesh.is_border(mesh.edge(mesh.next(half))) ? mesh.prev(half) : mesh.next(half))] =
-                    false;
+            if (bothHeldBeside(half))
+                cut[*lineBeside(half)] = false;
         mesh.point(CGAL::Euler::collapse_edge(e, mesh, HeldEdges{&mesh, &cut, e})) = at;
         any = true;
     }
@@ -314,8 +326,7 @@ void LinedMesh::pruneSpurs(const FormCuts& cuts)
             if (goesOn.size() != 1 || (at != end && (mesh.is_border(at) || isCutAnywayAt(at, cuts))))
                 break;
             spur.push_back(goesOn.front());
-            length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(goesOn.front(), 0)),
-                                                       mesh.point(mesh.vertex(goesOn.front(), 1))));
+            length += lengthOf(goesOn.front());
             at = mesh.vertex(goesOn.front(), mesh.vertex(goesOn.front(), 0) == at ? 1 : 0);
         }
         if (length <= longestSpur)

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,8 @@ private:
     bool isCap(Vertex a, Vertex b, Vertex c) const;
     bool isHeld(FormEdge e) const;
     bool isOnLine(Vertex v) const;
+    bool bothHeldBeside(CgalMesh::Halfedge_index half) const;
+    std::optional<FormEdge> lineBeside(CgalMesh::Halfedge_index half) const;
     bool canCollapse(FormEdge e) const;
     std::vector<FormEdge> cutsAt(Vertex v) const;
     bool joinNearPoints();
