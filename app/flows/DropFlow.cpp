@@ -38,14 +38,6 @@ bool hasOnlyFabrics(const QString& file)
     return fabrics && !others;
 }
 
-/// By its ending.
-bool takes(const QString& file)
-{
-    using enum FileUse;
-    return std::ranges::any_of(std::array{Design, Frame, Scan, Pattern, Picture},
-                               [&](FileUse use) { return isFileOf(use, file); });
-}
-
 } // namespace
 
 DropFlow::DropFlow(FileFlows& files, FabricCommands& fabrics, QWidget* window)
@@ -57,6 +49,13 @@ DropFlow::DropFlow(FileFlows& files, FabricCommands& fabrics, QWidget* window)
 {
     m_look.setInterval(moment);
     connect(&m_look, &QTimer::timeout, this, &DropFlow::goOn);
+}
+
+bool DropFlow::takes(const QString& file)
+{
+    using enum FileUse;
+    return std::ranges::any_of(std::array{Design, Frame, Scan, Pattern, Picture},
+                               [&](FileUse use) { return isFileOf(use, file); });
 }
 
 void DropFlow::drop(const QStringList& files)

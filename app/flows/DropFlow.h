@@ -20,6 +20,8 @@ public:
 
     /// The first design is opened here, others in windows of their own; then what is to come to it is imported.
     void drop(const QStringList& files);
+    /// By the ending of the file.
+    static bool takes(const QString& file);
     /// Where further designs are opened; false: it could not be.
     void setOtherWindows(std::function<bool(const QString&)> open) { m_elsewhere = std::move(open); }
     bool busy() const { return m_going || !m_waiting.isEmpty(); }

@@ -123,6 +123,8 @@ void AreaRow::paint()
             row->take(stamp);
     });
     m_paint->setChecked(true);
+    m_parts.cover.activateWindow(); // keys are for the brush from now on
+    m_parts.cover.setFocus(Qt::OtherFocusReason);
     refresh();
 }
 

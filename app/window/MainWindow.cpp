@@ -13,6 +13,7 @@
 #include "FabricLink.h"
 #include "FabricPanel.h"
 #include "FileFlows.h"
+#include "FileFormats.h"
 #include "FindingsLink.h"
 #include "HistoryPanel.h"
 #include "Inspector.h"
@@ -146,7 +147,10 @@ MainWindow::~MainWindow()
 
 void MainWindow::open(const QString& path)
 {
-    m_files->opening.open(path);
+    if (isFileOf(FileUse::Design, path) || !DropFlow::takes(path))
+        m_files->opening.open(path);
+    else
+        m_drops->drop({path}); // a frame, say, into a new design
 }
 
 void MainWindow::recover()

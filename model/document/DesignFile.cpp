@@ -1,6 +1,7 @@
 #include "DesignFile.h"
 
 #include "DesignCheck.h"
+#include "FileFormats.h"
 #include "WholeFile.h"
 
 #include <QFileInfo>
@@ -20,6 +21,13 @@ ReadDesign unreadable(Message why)
     ReadDesign read;
     read.problems.push_back({settingsId, {}, {}, std::move(why)});
     return read;
+}
+
+/// By its ending.
+bool isMadeIntoDesign(const QString& path)
+{
+    using enum FileUse;
+    return !isFileOf(Design, path) && (isFileOf(Frame, path) || isFileOf(Scan, path) || isFileOf(Pattern, path));
 }
 
 /// The element's file with links resolved, if it is there and inside the folder.
@@ -140,6 +148,9 @@ ReadDesign readDesignFile(const QString& path)
     if (!file.problem.empty())
         return unreadable(file.problem);
     ReadDesign read = readDesign(file.bytes);
+    if (!read.readable && isMadeIntoDesign(path))
+        return unreadable({QT_TRANSLATE_NOOP("Message", "\"%1\" is no design, but what one is made of: import it"),
+                           {path.toStdString()}});
     if (!read.readable)
         for (Problem& problem : read.problems)
             problem.label = path.toStdString();

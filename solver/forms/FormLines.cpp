@@ -22,6 +22,8 @@ namespace Pmp = CGAL::Polygon_mesh_processing;
 
 constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
 constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
+constexpr double deep = 0.5;                     // mm below the form: there a ribbon may pass it by
+constexpr int mostBridges = 5;                   // divisions of such a step into halves
 constexpr double longest = 1e5;                  // mm, of a line
 constexpr double sameLine = 2.5;                 // mm: nobody sews what is narrower
 
@@ -302,13 +304,34 @@ private:
                 on[k].normal = on[inside].normal;
     }
 
+    /// Between two places of a line that is drawn through an edge of the form, not over it, a ribbon would pass
+    /// below the edge: it goes there by the edge itself.
+    void bridge(std::vector<LinePlace>& on, const LinePlace& to, int most) const
+    {
+        const LinePlace from = on.back();
+        const Vec3 middle = 0.5 * (from.at + to.at);
+        LinePlace between = m_form.placeOf(middle);
+        if (most == 0 || between.away <= deep)
+            return;
+        if (const std::optional<Vec3> edge = m_form.sharpEdges().nearest(middle))
+            between = {*edge, (from.normal + to.normal).normalized(), 0};
+        else
+            bridge(on, between, most - 1);
+        on.push_back(between);
+        bridge(on, to, most - 1);
+    }
+
     CgalMesh ribbonAlong(const FormLine& line, const LineEnds::Joined& joined) const
     {
         std::vector<Vec3> places = evenly(line, m_spacing);
         ends().prolong(places, line, joined);
         std::vector<LinePlace> on;
-        for (const Vec3& place : places)
-            on.push_back(m_form.placeOf(place));
+        for (const Vec3& place : places) {
+            const LinePlace next = m_form.placeOf(place);
+            if (!on.empty())
+                bridge(on, next, mostBridges);
+            on.push_back(next);
+        }
         settleEnd(std::span(on));
         std::ranges::reverse(on);
         settleEnd(std::span(on));
@@ -322,7 +345,7 @@ private:
             normal.normalize();
             // What was prolonged beyond the border stays there: it is not pulled back to it.
             const bool beyond = (k == 0 || k + 1 == on.size()) && !line.closed;
-            const Vec3 middle = beyond ? places[k] : on[k].at;
+            const Vec3 middle = beyond ? (k == 0 ? places.front() : places.back()) : on[k].at;
             const double width = ribbon + (beyond ? on[k].away : 0);
             sections.emplace_back(strip.add_vertex(toCgal(middle - width * normal)),
                                   strip.add_vertex(toCgal(middle + width * normal)));

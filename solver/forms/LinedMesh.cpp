@@ -127,8 +127,35 @@ void LinedMesh::putBack(TriangleSoup& soup) const
             soup.cuts.insert(edgeOf(now[mesh.vertex(e, 0).idx()], now[mesh.vertex(e, 1).idx()]));
 }
 
+/// CGAL numbers edges that cutting has made by where they lie in memory; now by faces and corners.
+void LinedMesh::renumberEdges()
+{
+    std::vector<std::array<Vertex, 3>> faces;
+    std::vector<int> parts;
+    for (const Face f : mesh.faces()) {
+        std::array<Vertex, 3>& corners = faces.emplace_back();
+        std::ranges::copy(mesh.vertices_around_face(mesh.halfedge(f)), corners.begin());
+        parts.push_back(part[f]);
+    }
+    std::vector<std::pair<Vertex, Vertex>> cuts;
+    for (const FormEdge e : mesh.edges())
+        if (cut[e])
+            cuts.emplace_back(mesh.vertex(e, 0), mesh.vertex(e, 1));
+    CgalMesh anew;
+    for (const Vertex v : mesh.vertices())
+        anew.add_vertex(mesh.point(v));
+    mesh = std::move(anew);
+    part = mesh.add_property_map<Face, int>("f:part", 0).first;
+    cut = mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        part[mesh.add_face(faces[f][0], faces[f][1], faces[f][2])] = parts[f];
+    for (const auto& [a, b] : cuts)
+        cut[mesh.edge(mesh.halfedge(a, b))] = true;
+}
+
 void LinedMesh::tidy()
 {
+    renumberEdges();
     for (int round = 0; round < roundsOfTidying; ++round) {
         const bool joined = joinNearPoints(), flattened = flattenCaps();
         if (!joined && !flattened)

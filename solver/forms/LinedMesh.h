@@ -65,6 +65,7 @@ private:
     std::optional<FormEdge> lineBeside(CgalMesh::Halfedge_index half) const;
     bool canCollapse(FormEdge e) const;
     std::vector<FormEdge> cutsAt(Vertex v) const;
+    void renumberEdges();
     bool joinNearPoints();
     bool flattenCaps();
 

@@ -26,16 +26,28 @@ Message firstOf(const Problems& problems)
             {error->label, error->message.english()}};
 }
 
-/// Why the iterations did not end.
-Message unrest(const Relaxation& solve, double diameter)
+bool hasPressure(const SewnMesh& mesh)
 {
+    return std::ranges::any_of(mesh.parts, [](const auto& part) { return part.material.pressure != 0; });
+}
+
+/// Why the iterations did not end.
+Message unrest(const Relaxation& solve, const SewnMesh& mesh)
+{
+    const double diameter = mesh.largestDiameter();
     constexpr int enough = 1000;      // iterations: many times what covers take
     constexpr double settling = 1e-3; // D: what comes to rest moves less by then
     const std::string iterations = std::to_string(solve.iterations());
     if (solve.iterations() >= enough && solve.movement() > settling)
-        return {QT_TRANSLATE_NOOP(
-                    "Message", "After %1 iterations the surface still moves by %2 mm in each: it does not come to "
-                               "rest. Lower the pressure, or make curves as long as the outlines they hold."),
+        return {hasPressure(mesh)
+                    ? QT_TRANSLATE_NOOP("Message",
+                                        "After %1 iterations the surface still moves by %2 mm in each: it does not "
+                                        "come to rest. Lower the pressure, or make curves as long as the outlines "
+                                        "they hold.")
+                    : QT_TRANSLATE_NOOP("Message",
+                                        "After %1 iterations the surface still moves by %2 mm in each: it does not "
+                                        "come to rest. Make curves as long as the outlines they hold, or try other "
+                                        "mesh edges."),
                 {iterations, numberText(solve.movement() * diameter, 2)}};
     constexpr double told = 0.1; // D: a longer way is a guess
     if (solve.estimate() > told)
@@ -125,7 +137,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
         result.status = SolveResult::Status::Solved;
     } else {
         result.status = SolveResult::Status::NotConverged;
-        result.reason = unrest(relaxation, sheet->mesh.largestDiameter());
+        result.reason = unrest(relaxation, sheet->mesh);
     }
     relaxation.release();
     result.report = reportOn(*sheet, relaxation);

@@ -213,26 +213,6 @@ TEST(FormCover, OfATrayOnAWavyRimStandsOnItsOutside)
     EXPECT_LT(highest, 75);
 }
 
-/// Walls and the top of a prism, mm; its first corner lies at x = `radius`.
-TriangleMesh hollowPrism(unsigned corners, double radius, double height)
-{
-    TriangleMesh prism;
-    for (const double z : {0.0, height})
-        for (unsigned k = 0; k < corners; ++k) {
-            const double angle = k * 2 * std::numbers::pi / corners;
-            prism.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-        }
-    for (unsigned k = 0; k < corners; ++k) {
-        const unsigned next = (k + 1) % corners;
-        prism.triangles.push_back({k, next, corners + next});
-        prism.triangles.push_back({k, corners + next, corners + k});
-    }
-    for (unsigned k = 1; k + 1 < corners; ++k)
-        prism.triangles.push_back({corners, corners + k, corners + k + 1});
-    prism.parts = {{"Prism", 0, static_cast<std::uint32_t>(prism.triangles.size())}};
-    return prism;
-}
-
 /// A smooth seam that ends in a thin tip, or in a short edge beside a corner, where triangles are small: such
 /// covers turned about these places without end.
 TEST(FormCover, OfATopThatIsCutToAThinTipComesToRest)

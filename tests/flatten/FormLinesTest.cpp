@@ -808,5 +808,29 @@ TEST(FormLines, AStripBelowAnEdgeStaysOnItsFace)
         }
 }
 
+/// CGAL numbers some of the edges that it makes by where they lie in memory.
+TEST(FormLines, AreCutTheSameWhateverElseIsInMemory)
+{
+    std::mt19937 random(5);
+    FormLine loop{"Loop", {}, true};
+    for (int k = 0; k < 24; ++k) {
+        const double angle = k * std::numbers::pi / 12;
+        loop.points.emplace_back(150 + 40 * std::cos(angle), 40 * std::sin(angle), 60);
+    }
+    const TriangleMesh prism = quartered(quartered(hollowPrism(5, 300, 60)));
+    const Form first = cutForm(prism, {false, 30, {loop}});
+    std::vector<std::vector<char>> others;
+    for (int round = 0; round < 20; ++round) {
+        for (int k = 0; k < 2000; ++k)
+            others.emplace_back(16 + random() % 2000);
+        std::erase_if(others, [&](const auto&) { return random() % 2 == 0; });
+        const Form again = cutForm(prism, {false, 30, {loop}});
+        ASSERT_EQ(again.points, first.points) << round;
+        ASSERT_EQ(again.pieces.size(), first.pieces.size()) << round;
+        for (std::size_t p = 0; p < first.pieces.size(); ++p)
+            ASSERT_EQ(again.pieces[p].triangles, first.pieces[p].triangles) << round;
+    }
+}
+
 } // namespace
 } // namespace bolster::test

@@ -1,7 +1,10 @@
 #include "TestForms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace bolster::test {
 
@@ -91,6 +94,47 @@ TriangleMesh trayMesh(const std::vector<std::string>& plan, double side, double 
     });
     mesh.parts = {{"Top", 0, top}, {"Side", top, static_cast<std::uint32_t>(mesh.triangles.size()) - top}};
     return mesh;
+}
+
+TriangleMesh hollowPrism(unsigned corners, double radius, double height)
+{
+    TriangleMesh prism;
+    for (const double z : {0.0, height})
+        for (unsigned k = 0; k < corners; ++k) {
+            const double angle = k * 2 * std::numbers::pi / corners;
+            prism.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+        }
+    for (unsigned k = 0; k < corners; ++k) {
+        const unsigned next = (k + 1) % corners;
+        prism.triangles.push_back({k, next, corners + next});
+        prism.triangles.push_back({k, corners + next, corners + k});
+    }
+    for (unsigned k = 1; k + 1 < corners; ++k)
+        prism.triangles.push_back({corners, corners + k, corners + k + 1});
+    prism.parts = {{"Prism", 0, static_cast<std::uint32_t>(prism.triangles.size())}};
+    return prism;
+}
+
+TriangleMesh quartered(const TriangleMesh& mesh)
+{
+    TriangleMesh fine = mesh;
+    fine.triangles.clear();
+    fine.parts.clear();
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto between = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [found, isNew] =
+            middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(fine.points.size()));
+        if (isNew)
+            fine.points.emplace_back(0.5 * (mesh.points[a] + mesh.points[b]));
+        return found->second;
+    };
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const std::uint32_t ab = between(a, b), bc = between(b, c), ca = between(c, a);
+        fine.triangles.insert(fine.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    for (const auto& part : mesh.parts)
+        fine.parts.push_back({part.name, 4 * part.firstTriangle, 4 * part.triangleCount});
+    return fine;
 }
 
 } // namespace bolster::test

@@ -21,5 +21,9 @@ TriangleMesh ringMesh(double lower, double upper, double height, int columns = 9
 /// A body open below, on z = 0, with walls of `height` mm, of which each is two triangles: parts "Top" and "Side".
 /// The plan is rows of squares of `side` mm, the farthest first; what is no blank belongs to it.
 TriangleMesh trayMesh(const std::vector<std::string>& plan, double side, double height);
+/// Walls and the top of a prism, mm; its first corner lies at x = `radius`.
+TriangleMesh hollowPrism(unsigned corners, double radius, double height);
+/// Each triangle as four.
+TriangleMesh quartered(const TriangleMesh& mesh);
 
 } // namespace bolster::test

@@ -25,6 +25,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -43,7 +44,10 @@ struct Amount {
     int seeds = 3;
     int samples = 1000;
     int numbers = 24;
-    double limit = 2; ///< of strain, %
+    double limit = 2;           ///< of strain, %
+    std::string_view free = {}; ///< what may change besides outlines, where strain is the goal
+
+    bool frees(std::string_view what) const { return free.find(what) != std::string_view::npos; }
 };
 
 Real realAt(const char* name, const std::string& path)
@@ -213,6 +217,11 @@ void printStrains(const std::vector<Real>& covers, const Amount& amount)
             order.goals.keepShape = FitGoals::lightly;
             order.goals.limit = amount.limit;
             order.freedoms = outlineFreedoms(wrong.design);
+            if (amount.frees("fixations"))
+                std::ranges::move(fixationFreedoms(wrong.design, wrong.files), std::back_inserter(order.freedoms));
+            if (amount.frees("seams"))
+                std::ranges::move(seamEndFreedoms(wrong.design), std::back_inserter(order.freedoms));
+            order.locks.ease = !amount.frees("ease");
             const Stopwatch watch;
             const FitResult result = fitPattern(wrong, order);
             std::printf("| %s | %d | %.1f %% | %.1f %% | %.1f %% | %.2f | %.2f | %.1f | %.0f |\n", real.name, seed,
@@ -579,12 +588,14 @@ int run(int count, char** words)
             amount.seeds = std::max(1, std::atoi(words[++k]));
         else if (word == "--limit" && k + 1 < count)
             amount.limit = std::atof(words[++k]);
+        else if (word == "--free" && k + 1 < count)
+            amount.free = words[++k];
         else if (word == "--only" && k + 1 < count)
             which = words[++k];
         else {
             std::cout
                 << "Usage: bolster_inverse_figures [--quick] [--samples N] [--seeds N] [--limit PERCENT] [--only "
-                   "LETTERS]\n\n"
+                   "LETTERS] [--free fixations,seams,ease]\n\n"
                    "Tables: a a bent pattern comes back, b strain below a limit, c tolerances, d derivatives, "
                    "e a dragged seam line, f stopping.\n";
             return word == "--help" ? EXIT_SUCCESS : EXIT_FAILURE;
