@@ -26,7 +26,6 @@ constexpr double leastPiece = 25;                            // mm^2: what lines
 constexpr double leastFacet = 1000, leastFacetShare = 0.005; // mm^2, and of the form: what bends cut off is none
 constexpr double leastWidth = 0.5;                           // mm
 constexpr double leastFlatness = 0.05;                       // of edges around which a form bends
-constexpr double shareDrawn = 0.3;                           // of the border of what a line cuts off
 constexpr int mostDissolving = 50;                           // rounds
 constexpr int mostCutsOpen = 200; // of rings; more holes than that nobody wants to sew up
 
@@ -42,11 +41,15 @@ public:
     Form cut()
     {
         turnAlike(m_welded, m_form.notes, m_stop);
-        cutLines();
-        findCuts();
-        fallApart();
-        for (int round = 0; goesOn() && round < mostDissolving && dissolveSplinters(); ++round)
-            fallApart();
+        const bool tidies = !m_cuts.lines.empty() || m_cuts.divides;
+        if (tidies)
+            partSheets(m_welded, m_stop);
+        if (!m_cuts.edges.empty())
+            m_kept = edgesAlong(m_welded, m_cuts.edges, m_cuts.onEdges);
+        if (m_cuts.angle || !tidies)
+            cutBends();
+        if (tidies)
+            cutLines();
         for (int round = 0; goesOn() && cutRingsOpen(round); ++round)
             fallApart();
         giveNames();
@@ -69,55 +72,74 @@ private:
         return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
     }
 
+    /// Where it bends, but for facets that are too small for pieces. Before lines are cut: triangles beside these
+    /// may lean anywhere.
+    void cutBends()
+    {
+        findCuts(m_cuts.angle);
+        fallApart(m_bendCuts, leastBent());
+        for (const Edge& edge : m_bendCuts)
+            if (m_cut.contains(edge))
+                m_kept.insert(edge);
+    }
+
     void cutLines()
     {
         if (m_stop.stop_requested())
             return;
-        const bool tidies = !m_cuts.lines.empty() || m_cuts.divides;
-        if (tidies)
-            partSheets(m_welded, m_stop);
-        if (!m_cuts.edges.empty())
-            m_cut = edgesAlong(m_welded, m_cuts.edges, m_cuts.onEdges);
-        if (!tidies || m_stop.stop_requested())
-            return;
+        FormCuts cuts = m_cuts;
+        cuts.angle.reset(); // that is done
         LinedTriangles lined =
-            cutAlong({m_welded.points, m_welded.triangles, m_welded.part, m_cut}, m_cuts, m_stop, m_draft);
-        if (!lined.problem.empty()) {
-            if (!m_cuts.lines.empty())
-                m_form.problem = lined.problem;
+            cutAlong({m_welded.points, m_welded.triangles, m_welded.part, m_kept}, cuts, m_stop, m_draft);
+        if (lined.problem.empty()) {
+            m_welded.points = std::move(lined.points);
+            m_welded.triangles = std::move(lined.triangles);
+            m_welded.part = std::move(lined.part);
+            m_kept = std::move(lined.cuts);
+            std::ranges::move(lined.notes, std::back_inserter(m_form.notes));
+        } else if (!m_cuts.lines.empty()) {
+            m_form.problem = lined.problem;
             return;
         }
-        m_welded.points = std::move(lined.points);
-        m_welded.triangles = std::move(lined.triangles);
-        m_welded.part = std::move(lined.part);
-        m_cut = std::move(lined.cuts);
-        m_lineCuts = m_cut;
-        std::ranges::move(lined.notes, std::back_inserter(m_form.notes));
+        findCuts(std::nullopt);
+        fallApart(m_kept, leastPiece);
     }
 
-    void findCuts()
+    /// Besides those that are kept: between parts, between triangles that cannot be turned alike, and where it
+    /// bends by more than so many degrees.
+    void findCuts(const std::optional<double>& angle)
     {
         m_halves = halfEdges(m_welded.triangles, m_stop);
+        m_cut = m_kept;
+        m_flatness.clear();
         if (m_stop.stop_requested())
             return;
-        const double bend = m_cuts.angle ? std::cos(*m_cuts.angle * std::numbers::pi / 180) : -2;
+        const double bend = angle ? std::cos(*angle * std::numbers::pi / 180) : -2;
         eachEdge(m_halves, [&](const HalfEdge* first, const HalfEdge* last) {
             if (last - first != 2)
                 return;
             const bool parts =
                 m_cuts.groups && m_welded.part[first[0].triangle] != m_welded.part[first[1].triangle];
             const Edge edge{first->low, first->high};
-            const bool onLine = m_cut.contains(edge);
-            const double cosine = m_cuts.angle || onLine ? normal(first[0].triangle).dot(normal(first[1].triangle))
-                                                         : 1; // of no account
-            const bool bends = m_cuts.angle && cosine < bend;
-            if (bends || onLine)
+            const bool isKept = m_kept.contains(edge);
+            const double cosine =
+                angle || isKept ? normal(first[0].triangle).dot(normal(first[1].triangle)) : 1; // of no account
+            const bool bends = angle && cosine < bend;
+            if (bends || isKept)
                 m_flatness[edge] = std::max(leastFlatness, cosine);
-            if (bends && !parts && !onLine)
+            if (bends && !parts && !isKept)
                 m_bendCuts.insert(edge);
             if (parts || bends || first[0].forward == first[1].forward)
                 m_cut.insert(edge);
         });
+    }
+
+    /// Where it is cut; pieces smaller than that (mm^2) go to a neighbour across these cuts.
+    void fallApart(const std::set<Edge>& cuts, double least)
+    {
+        fallApart();
+        for (int round = 0; goesOn() && round < mostDissolving && dissolveSplinters(cuts, least); ++round)
+            fallApart();
     }
 
     bool isWhole(const HalfEdge* first, const HalfEdge* last) const
@@ -240,29 +262,15 @@ private:
         return (at(1) - at(0)).cross(at(2) - at(0)).norm() / 2;
     }
 
-    /// What a line cuts off beside a bend was drawn so, and is a piece however small a facet of a rough form would
-    /// be.
     bool isSplinter(const FormPiece& piece, double least) const
     {
-        double area = 0, length = 0, onLines = 0;
+        double area = 0, length = 0;
         const auto at = [&](int vertex) { return m_welded.points[piece.points[vertex]]; };
         for (const Corners& t : piece.triangles)
             area += areaOf({piece.points[t[0]], piece.points[t[1]], piece.points[t[2]]});
-        for (std::size_t k = 0; k < piece.border.size(); ++k) {
-            const int from = piece.border[k], to = piece.border[piece.after(k)];
-            const double edge = (at(to) - at(from)).norm();
-            length += edge;
-            onLines += m_lineCuts.contains(std::minmax(piece.points[from], piece.points[to])) ? edge : 0;
-        }
-        const double enough = onLines > shareDrawn * length ? std::min(least, leastPiece) : least;
-        return area < std::max(enough, leastWidth / 2 * length);
-    }
-
-    /// Splinters between lines, borders and bends go to the neighbour that they have most in common with, rather to
-    /// one in their plane than around an edge. Whether there were such, so that the form falls apart anew.
-    bool dissolveSplinters()
-    {
-        return dissolveSplinters(m_lineCuts, leastPiece) || dissolveSplinters(m_bendCuts, leastBent());
+        for (std::size_t k = 0; k < piece.border.size(); ++k)
+            length += (at(piece.border[piece.after(k)]) - at(piece.border[k])).norm();
+        return area < std::max(least, leastWidth / 2 * length);
     }
 
     double leastBent() const
@@ -273,6 +281,8 @@ private:
         return std::min(leastFacet, leastFacetShare * area);
     }
 
+    /// Splinters between lines, borders and bends go to the neighbour that they have most in common with, rather to
+    /// one in their plane than around an edge. Whether there were such, so that the form falls apart anew.
     bool dissolveSplinters(const std::set<Edge>& cuts, double least)
     {
         if (cuts.empty())
@@ -420,8 +430,9 @@ private:
     std::stop_token m_stop;
     FormDraft* m_draft;
     std::vector<HalfEdge> m_halves;
-    std::set<Edge> m_cut, m_lineCuts, m_bendCuts;
-    std::map<Edge, double> m_flatness;                  // of those: cosine of the bend
+    std::set<Edge> m_kept;                              // along CAD faces, bends and lines
+    std::set<Edge> m_cut, m_bendCuts;                   // all; where it bends
+    std::map<Edge, double> m_flatness;                  // of those that are kept, and of bends: its cosine
     std::vector<int> m_pieceOf;                         // of each triangle
     std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
     std::vector<int> m_parts;                           // of each piece

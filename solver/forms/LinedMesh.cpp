@@ -14,6 +14,7 @@ namespace {
 
 constexpr double nearPoints = 0.4; // mm: points that lie nearer are one
 constexpr double onePlace = 0.02;  // mm: lines that pass so near each other meet
+constexpr double crumb = 1;        // mm: sides of a triangle that may go though there are lines around it
 constexpr double lowest = 0.01;    // height of a triangle, of its longest edge
 constexpr int roundsOfTidying = 6;
 constexpr double longestSpur = 14; // mm: what hangs over at the end of a line that was prolonged
@@ -265,6 +266,13 @@ std::optional<FormEdge> LinedMesh::lineBeside(CgalMesh::Halfedge_index half) con
     return std::nullopt;
 }
 
+/// A triangle between an edge that is to go and two lines, which become one then: it is no piece.
+bool LinedMesh::isCrumb(CgalMesh::Halfedge_index half) const
+{
+    return lengthOf(mesh.edge(half)) < onePlace ||
+           std::max(lengthOf(mesh.edge(mesh.next(half))), lengthOf(mesh.edge(mesh.prev(half)))) < crumb;
+}
+
 /// Of those edges of two triangles beside an edge that become one, one at most is held; two lines beside a splinter
 /// become one.
 bool LinedMesh::canCollapse(FormEdge e) const
@@ -273,7 +281,7 @@ bool LinedMesh::canCollapse(FormEdge e) const
     if (isShared(a) || isShared(b) || !CGAL::Euler::does_satisfy_link_condition(e, mesh))
         return false;
     for (const auto half : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
-        if (bothHeldBeside(half) && (lengthOf(e) >= onePlace || !lineBeside(half)))
+        if (bothHeldBeside(half) && (!isCrumb(half) || !lineBeside(half)))
             return false;
     const bool bothHeld = (isOnLine(a) || mesh.is_border(a)) && (isOnLine(b) || mesh.is_border(b));
     return isHeld(e) || !bothHeld || lengthOf(e) < onePlace;

@@ -63,6 +63,7 @@ private:
     bool isOnLine(Vertex v) const;
     bool bothHeldBeside(CgalMesh::Halfedge_index half) const;
     std::optional<FormEdge> lineBeside(CgalMesh::Halfedge_index half) const;
+    bool isCrumb(CgalMesh::Halfedge_index half) const;
     bool canCollapse(FormEdge e) const;
     std::vector<FormEdge> cutsAt(Vertex v) const;
     void renumberEdges();

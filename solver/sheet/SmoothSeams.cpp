@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -25,6 +26,8 @@ constexpr double enoughDamping = 4;
 constexpr double mostFlux = 0.65;
 // What the weights of a ring beside a seam add up to at most then; in tips and strips it is more.
 constexpr double usualWeights = 1.5;
+// Edges: across strips that are narrower fits turn with every tenth of a millimetre.
+constexpr double leastWidth = 0.4;
 // So many edges apart the two sides of a closed corner can be joined.
 constexpr double tipEdges = 4;
 // A vertex of a seam takes much longer than others.
@@ -126,6 +129,19 @@ SmoothSeams::SmoothSeams(const SewnMesh& mesh, const std::vector<Eigen::Matrix2d
     findLopsided(rest);
 }
 
+/// Of the narrowest sheet at a joint, in edges; 0.9 where triangles are of usual shapes.
+double SmoothSeams::widthOf(const Joint& joint) const
+{
+    const double edge = m_mesh.parts[joint.part].meanEdge;
+    double width = std::numeric_limits<double>::infinity();
+    for (const Side& side : joint.sides) {
+        const double along = (m_mesh.rest()[side.after] - m_mesh.rest()[side.before]).norm() / 2;
+        const double area = std::min(m_mesh.area[joint.vertex], m_mesh.area[side.partner]);
+        width = std::min(width, 2 * area / std::max(along * edge, 1e-300));
+    }
+    return width;
+}
+
 /// It goes by the fits of the iteration before. In narrow strips and in tips these say little of the slope across
 /// the seam, and weights are large: covers turned about such places for good.
 void SmoothSeams::boundFlux(Joint& joint) const
@@ -138,8 +154,9 @@ void SmoothSeams::boundFlux(Joint& joint) const
     const double twice = 2 * m_mesh.parts[joint.part].bendingSquared();
     const double most =
         mostFlux * (m_mesh.area[joint.vertex] + dampingOf(joint) + twice * std::min(smoothing, usualWeights));
+    const double resolved = std::min(1.0, widthOf(joint) / leastWidth);
     for (double& weight : joint.flux)
-        weight *= std::min(1.0, most / std::max(twice * flux, 1e-300));
+        weight *= resolved * std::min(1.0, most / std::max(twice * flux, 1e-300));
 }
 
 double SmoothSeams::dampingOf(const Joint& joint) const

@@ -61,6 +61,7 @@ private:
     void join(const SurfaceTopology::Chain& seam, Continuity continuity, const std::vector<int>& partOf,
               const std::vector<Eigen::Matrix2d>& rest);
     void findLopsided(const std::vector<Eigen::Matrix2d>& rest);
+    double widthOf(const Joint& joint) const;
     void boundFlux(Joint& joint) const;
     double dampingOf(const Joint& joint) const;
     Matrix32 covariance(const SheetMoment& sheet, int vertex) const;

@@ -244,7 +244,7 @@ TEST(FormCover, OfATopWithANarrowStripComesToRest)
     TriangleMesh top = hollowPrism(8, 150, 0);
     top.triangles.erase(top.triangles.begin(), top.triangles.end() - 6);
     top.parts = {{"Top", 0, 6}};
-    for (const double second : {1.2, 2.2, 4.2})
+    for (const double second : {1.1, 1.2, 1.5, 2.2, 4.2})
         for (const double edge : {6.0, 10.0, 12.0}) {
             const Vec3 in(-std::cos(std::numbers::pi / 8), -std::sin(std::numbers::pi / 8), 0);
             const Vec3 from = top.points[8] + 4.2 * in, to = top.points[9] + second * in;
