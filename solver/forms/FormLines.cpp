@@ -100,6 +100,8 @@ public:
         , m_spacing(apart)
         , m_form(m_soup, cuts, stop)
     {
+        if (whole() && !stop.stop_requested())
+            m_soup.ends = m_form.loosePoints();
         for (const FormLine& line : m_cuts.lines)
             if (whole() && !stop.stop_requested() && line.points.size() > 1 && whyRefused(line).empty())
                 m_lines.push_back({line, placesOf(line)});
@@ -272,6 +274,7 @@ private:
             m_lines[m_current].isCut = false;
             return;
         }
+        near.renumberEdges();
         near.tidy(); // the next line meets whole triangles
         near.putBack(m_soup);
     }

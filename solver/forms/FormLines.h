@@ -14,6 +14,7 @@ struct TriangleSoup {
     std::vector<std::array<int, 3>> triangles;
     std::vector<int> part;              ///< of each triangle
     std::set<std::pair<int, int>> cuts; ///< edges along lines, the lesser point first
+    std::set<int> ends = {};            ///< points inside where cuts end that no line has made
 };
 
 struct LinedTriangles : TriangleSoup {

@@ -50,6 +50,7 @@ std::vector<bool> isOneOf(const std::vector<int>& triangles, std::size_t count)
 bool LinedMesh::build(const TriangleSoup& soup, std::vector<int> chosen, const std::stop_token& stop)
 {
     *this = {};
+    m_ends = soup.ends;
     if (chosen.empty())
         for (std::size_t t = 0; t < soup.triangles.size(); ++t)
             chosen.push_back(static_cast<int>(t));
@@ -128,7 +129,6 @@ void LinedMesh::putBack(TriangleSoup& soup) const
             soup.cuts.insert(edgeOf(now[mesh.vertex(e, 0).idx()], now[mesh.vertex(e, 1).idx()]));
 }
 
-/// CGAL numbers edges that cutting has made by where they lie in memory; now by faces and corners.
 void LinedMesh::renumberEdges()
 {
     std::vector<std::array<Vertex, 3>> faces;
@@ -156,7 +156,6 @@ void LinedMesh::renumberEdges()
 
 void LinedMesh::tidy()
 {
-    renumberEdges();
     for (int round = 0; round < roundsOfTidying; ++round) {
         const bool joined = joinNearPoints(), flattened = flattenCaps();
         if (!joined && !flattened)
@@ -176,10 +175,20 @@ std::vector<FormEdge> LinedMesh::cutsAt(Vertex v) const
 std::vector<Vertex> LinedMesh::looseEnds(const FormCuts& cuts) const
 {
     std::vector<Vertex> ends;
+    const auto isKnown = [&](Vertex v) { return v.idx() < m_point.size() && m_ends.contains(pointOf(v)); };
     for (const Vertex v : mesh.vertices())
-        if (!mesh.is_isolated(v) && !mesh.is_border(v) && cutsAt(v).size() == 1 && !isCutAnywayAt(v, cuts))
+        if (!mesh.is_isolated(v) && !mesh.is_border(v) && cutsAt(v).size() == 1 && !isCutAnywayAt(v, cuts) &&
+            !isKnown(v))
             ends.push_back(v);
     return ends;
+}
+
+std::set<int> LinedMesh::loosePoints(const FormCuts& cuts) const
+{
+    std::set<int> points;
+    for (const Vertex v : looseEnds(cuts))
+        points.insert(pointOf(v));
+    return points;
 }
 
 bool LinedMesh::isCutAnyway(FormEdge edge, const FormCuts& cuts) const

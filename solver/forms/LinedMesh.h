@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct LinedMesh {
     /// In place of the triangles that it was made of.
     void putBack(TriangleSoup& soup) const;
 
+    /// CGAL numbers edges that cutting has made by where they lie in memory; now by faces and corners.
+    void renumberEdges();
     /// What cutting has left of triangles goes: points that are nearly one, and triangles that are nearly an edge.
     void tidy();
     /// Whether the form ends at an edge, or is cut there whatever lines say.
@@ -49,7 +52,8 @@ struct LinedMesh {
     void pruneSpurs(const FormCuts& cuts);
     /// Where lines end inside.
     std::vector<Vertex> looseEnds(const FormCuts& cuts) const;
-    std::pair<Vec3, Vec3> endsOf(FormEdge e) const; ///< mm
+    std::set<int> loosePoints(const FormCuts& cuts) const; ///< the same, points of the soup
+    std::pair<Vec3, Vec3> endsOf(FormEdge e) const;        ///< mm
 
 private:
     bool isCutAnywayAt(Vertex v, const FormCuts& cuts) const;
@@ -66,13 +70,13 @@ private:
     bool isCrumb(CgalMesh::Halfedge_index half) const;
     bool canCollapse(FormEdge e) const;
     std::vector<FormEdge> cutsAt(Vertex v) const;
-    void renumberEdges();
     bool joinNearPoints();
     bool flattenCaps();
 
     std::vector<int> m_triangles; // of the soup
     std::vector<int> m_point;     // of each vertex that it had from the beginning
     Vec3 m_refusedAt = Vec3::Zero();
+    std::set<int> m_ends;       // of the soup
     std::vector<bool> m_shared; // by triangles that are not chosen, of the same
 };
 

@@ -24,6 +24,9 @@ public:
     bool whole() const { return m_whole; }
     const Vec3& notWholeAt() const { return m_mesh.refusedAt(); }
 
+    /// Points inside where cuts end that no line has made.
+    std::set<int> loosePoints() const { return m_mesh.loosePoints(m_cuts); }
+
     LinePlace placeOf(const Vec3& at) const;
     Vec3 nearest(const Vec3& at) const { return m_tree.nearestTo(at).at; }
     /// Whether a place lies beside the form, outside of its border;

@@ -832,5 +832,23 @@ TEST(FormLines, AreCutTheSameWhateverElseIsInMemory)
     }
 }
 
+/// What is said of lines is not said of bends.
+TEST(FormLines, ABendThatFadesOutIsNoLineThatEndsInside)
+{
+    const TriangleMesh sheet = gridMesh(20, 20, [](double u, double v) {
+        return Vec3(400 * u, 400 * v, 200 * std::abs(u - 0.5) * std::max(0.0, 1 - 1.2 * v));
+    });
+    const FormLine line{"Line", {Vec3(0, 380, 0), Vec3(400, 380, 0)}, false};
+    const Form form = cutForm(sheet, {false, 20, {line}});
+    EXPECT_EQ(form.pieces.size(), 2U);
+    EXPECT_TRUE(form.notes.empty()) << form.notes.front().english();
+    const Form uncut = cutForm(sheet, {false, 20, {}});
+    const auto edgesInside = [](const Form& of) {
+        return std::ranges::count_if(of.pieces.front().mates, [](const EdgeMate& mate) { return mate.piece == 0; });
+    };
+    EXPECT_GT(edgesInside(uncut), 4) << "it is cut in there";
+    EXPECT_EQ(edgesInside(form), edgesInside(uncut));
+}
+
 } // namespace
 } // namespace bolster::test
