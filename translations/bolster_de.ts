@@ -6053,6 +6053,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>Eine Linie wird bei %1 nicht eingeschnitten: das Teil wurde anders geteilt. Ziehen Sie sie bis an einen Rand</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>„%1“ ist kein Entwurf, sondern etwas, woraus einer gemacht wird: Importieren Sie es</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>Nach %1 Iterationen bewegt sich die Fläche noch in jeder um %2 mm: Sie kommt nicht zur Ruhe. Machen Sie die Kurven so lang wie die Umrisse, die sie halten, oder versuchen Sie andere Netzkanten.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6053,6 +6053,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>En %1 no se corta una línea: la pieza se dividió de otro modo. Prolónguela hasta un borde</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>«%1» no es un diseño, sino algo con lo que se hace uno: impórtelo</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>Tras %1 iteraciones la superficie aún se mueve %2&#xa0;mm en cada una: no llega al reposo. Haga las curvas tan largas como los contornos que sujetan o pruebe otras aristas de malla.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

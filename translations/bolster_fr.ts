@@ -6053,6 +6053,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>Une ligne n’est pas entaillée en %1&#x202f;: la pièce a été divisée autrement. Prolongez-la jusqu’à une bordure</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un modèle, mais ce dont on en fait un&#x202f;: importez-le</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>Après %1 itérations, la surface bouge encore de %2&#xa0;mm à chacune&#x202f;: elle ne se stabilise pas. Donnez aux courbes la longueur des contours qu’elles tiennent, ou essayez d’autres arêtes de maillage.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

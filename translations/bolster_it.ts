@@ -6053,6 +6053,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>Una linea non viene incisa in %1: il pezzo è stato diviso diversamente. La prolunghi fino a un bordo</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>«%1» non è un modello, ma ciò di cui se ne fa uno: importarlo</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>Dopo %1 iterazioni la superficie si muove ancora di %2&#xa0;mm in ognuna: non va a riposo. Fare le curve lunghe quanto i contorni che tengono o provare altri lati della mesh.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

@@ -6049,6 +6049,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>%1 では線を切り込みません。パーツが別の形に分割されました。境界まで延ばしてください</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>「%1」はデザインではなく、その材料となるファイルです。インポートしてください</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>%1 回の反復後も、面が毎回 %2&#xa0;mm 動き、静止しません。曲線を、保持する輪郭と同じ長さにするか、メッシュのエッジの長さを変えてみてください。</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

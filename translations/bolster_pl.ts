@@ -6057,6 +6057,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>W %1 linia nie jest nacięta: element podzielono inaczej. Poprowadź ją aż do brzegu</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>„%1” nie jest modelem, lecz tym, z czego się go robi: zaimportuj ten plik</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>Po iteracjach w liczbie %1 powierzchnia w każdej nadal przesuwa się o %2&#xa0;mm: nie stabilizuje się. Zrób krzywe tak długie jak kontury, które trzymają, lub spróbuj innych krawędzi siatki.</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

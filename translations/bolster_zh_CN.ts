@@ -6049,6 +6049,14 @@
         <source>A line is not cut in at %1: the piece was divided another way. Draw it on to a border</source>
         <translation>%1 处的线未切开：样片已按其他方式分割。请延长至边界</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no design, but what one is made of: import it</source>
+        <translation>“%1”不是设计，而是用来制作设计的文件：请导入它</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
+        <translation>%1 次迭代后，曲面每次仍移动 %2 mm：无法静止。请使曲线与其固定的轮廓等长，或尝试其他网格边长。</translation>
+    </message>
 </context>
 <context>
     <name>MouseStyle</name>

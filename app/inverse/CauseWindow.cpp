@@ -197,7 +197,7 @@ void CauseWindow::build()
     m_said->setWordWrap(true);
     m_list = new HeadedList({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")}, 0, this);
     m_list->setAccessibleName(tr("Causes"));
-    m_list->setTextElideMode(Qt::ElideMiddle); // left or right stands at the end
+    m_list->setWordWrap(true); // names differ anywhere
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CauseWindow::rowChosen);
     m_alike = new QLabel(this);
     m_alike->setWordWrap(true);

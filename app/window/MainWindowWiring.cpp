@@ -364,6 +364,9 @@ void MainWindow::connectFiles()
     connect(m_fabricCommands, &FabricCommands::done, m_status, &StatusLine::flash);
     connect(&m_files->imports, &ImportFlow::imported, this, [this](FileKind kind) { // what came in is to be seen
         command(kind == FileKind::Cloud ? "layer.scans" : "layer.frames")->setChecked(true);
+        // Keys mean the view, not the name in the properties that are there now.
+        QMetaObject::invokeMethod(
+            m_coverView, [this] { m_coverView->setFocus(Qt::OtherFocusReason); }, Qt::QueuedConnection);
     });
     connect(&m_files->imports, &ImportFlow::patternImported, this, [this](const std::vector<ElementId>& patches) {
         // So many are looked at one by one.

@@ -273,6 +273,23 @@ TEST_F(StartTest, DroppedFilesGoOneAfterTheOther)
     EXPECT_EQ(elsewhere, QStringList{second});
 }
 
+/// As the program's argument, say.
+TEST_F(StartTest, AFrameThatIsOpenedIsImported)
+{
+    window.greet();
+    QTimer accept;
+    QObject::connect(&accept, &QTimer::timeout, &window, [&] {
+        if (auto* dialog = qobject_cast<FileImportDialog*>(QApplication::activeModalWidget()))
+            dialog->accept();
+    });
+    accept.start(20);
+    window.open(QFileInfo(sample("pillow")).absolutePath() + "/pillow.obj");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return count<Frame>() == 1 && !window.drops().busy(); }, 60000));
+    EXPECT_FALSE(page().isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.coverView().hasFocus(); }, 10000))
+        << "keys mean the view, not the frame's name";
+}
+
 TEST_F(StartTest, WhatCannotBeOpenedIsSaid)
 {
     QFile odd(folder.filePath("odd.docx"));
