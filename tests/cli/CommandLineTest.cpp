@@ -168,7 +168,8 @@ TEST_F(CommandLine, ChecksAGoodDesign)
 
 TEST_F(CommandLine, CheckSaysOfAFrameThatItIsImported)
 {
-    const ProgramRun run = runProgram({"check", QString::fromStdString(bolster::test::samplesFolder() + "/pillow/pillow.obj")});
+    const ProgramRun run =
+        runProgram({"check", QString::fromStdString(bolster::test::samplesFolder() + "/pillow/pillow.obj")});
     EXPECT_EQ(run.exitCode, 2);
     EXPECT_TRUE(run.err.find("is no design, but what one is made of: import it") != std::string::npos) << run.err;
 }
