@@ -14,6 +14,17 @@
 #include <span>
 #include <stdexcept>
 
+// CGAL's corefinement orders boxes that begin at the same coordinate by where they lie in memory: what the program
+// did before decided how a form is cut. They are numbered instead, in the order in which they are made.
+namespace CGAL::Box_intersection_d {
+template <>
+class Box_with_info_d<double, 3, SM_Halfedge_index, ID_FROM_BOX_ADDRESS>
+    : public Box_with_info_d<double, 3, SM_Halfedge_index, ID_EXPLICIT> {
+public:
+    using Box_with_info_d<double, 3, SM_Halfedge_index, ID_EXPLICIT>::Box_with_info_d;
+};
+} // namespace CGAL::Box_intersection_d
+
 namespace bolster {
 
 namespace {

@@ -464,8 +464,8 @@ void printDraggedLines()
         "\n### A seam line is dragged on a form\n\n"
         "A bucket seat, four lines drawn on it, one of which goes in 20 steps. Each step cuts the form anew, "
         "lays all pieces flat and makes the pattern.\n\n"
-        "| vertices | pieces | a step, median s (cutting, laying flat, pattern) | at most s | when it is let go s "
-        "|\n"
+        "| vertices | pieces | a step, median s (cutting, laying flat, pattern) | at most s (of the first two, which "
+        "cut the lines that stay) | when it is let go s |\n"
         "|---|---|---|---|---|\n");
     for (const int vertices : {2500, 10000, 22500}) {
         const TriangleMesh mesh = bucket(vertices);
@@ -489,10 +489,12 @@ void printDraggedLines()
                 whole = watch.seconds();
             pieces = pattern.patches.size();
         }
+        const double first = std::max(times[0][0], times[1][0]);
+        times.erase(times.begin(), times.begin() + 2);
         std::ranges::sort(times);
         const std::array<double, 4> median = times[times.size() / 2];
-        std::printf("| %zu | %zu | %.3f (%.3f, %.3f, %.3f) | %.3f | %.2f |\n", mesh.points.size(), pieces,
-                    median[0], median[1], median[2], median[3], times.back()[0], whole);
+        std::printf("| %zu | %zu | %.3f (%.3f, %.3f, %.3f) | %.3f (%.3f) | %.2f |\n", mesh.points.size(), pieces,
+                    median[0], median[1], median[2], median[3], times.back()[0], first, whole);
         std::fflush(stdout);
     }
 }
