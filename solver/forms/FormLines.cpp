@@ -33,10 +33,17 @@ namespace Pmp = CGAL::Polygon_mesh_processing;
 
 constexpr double spacing = 4, draftSpacing = 12; // mm between places on a line
 constexpr double ribbon = 1.5;                   // mm that a ribbon stands out on either side
+constexpr double oneSection = 0.1;               // mm: no two sections of it are so near each other
 constexpr double deep = 0.5;                     // mm below the form: there a ribbon may pass it by
 constexpr int mostBridges = 5;                   // divisions of such a step into halves
 constexpr double longest = 1e5;                  // mm, of a line
 constexpr double sameLine = 2.5;                 // mm: nobody sews what is narrower
+
+/// Across a line: how far a ribbon stands out below the form and above it, mm.
+struct RibbonSection {
+    Vec3 middle, normal;
+    double below = ribbon, above = ribbon;
+};
 
 /// Which part the triangles belong to that others are divided into.
 struct PartsKept : Pmp::Corefinement::Default_visitor<CgalMesh> {
@@ -335,6 +342,27 @@ private:
         bridge(on, to, most - 1);
     }
 
+    /// Where a ribbon goes around an edge of the form its sections come nearer to each other on one side, where
+    /// they must not cross. There the form lies on the other side.
+    static void narrowBends(std::vector<RibbonSection>& across)
+    {
+        constexpr double most = 0.45; // of the way to where two would meet
+        const auto part = [&](RibbonSection& a, RibbonSection& b) {
+            const Vec3 way = b.middle - a.middle;
+            const double apart = way.norm(), spread = (b.normal - a.normal).dot(way) / std::max(apart, 1e-9);
+            double RibbonSection::*const side = spread > 0 ? &RibbonSection::below : &RibbonSection::above;
+            const double room = most * apart / std::max(std::abs(spread), 1e-9);
+            a.*side = std::min(a.*side, room);
+            b.*side = std::min(b.*side, room);
+        };
+        for (std::size_t k = 0; k < across.size(); ++k)
+            for (std::size_t i = k + 1; i < across.size(); ++i) {
+                part(across[k], across[i]);
+                if ((across[i].middle - across[k].middle).norm() > 2 * ribbon)
+                    break;
+            }
+    }
+
     CgalMesh ribbonAlong(const FormLine& line, const LineEnds::Joined& joined) const
     {
         std::vector<Vec3> places = evenly(line, m_spacing);
@@ -344,26 +372,35 @@ private:
             const LinePlace next = m_form.placeOf(place);
             if (!on.empty())
                 bridge(on, next, mostBridges);
+            const bool isLast = &place == &places.back();
+            if (on.size() > 1 && (next.at - on.back().at).norm() < oneSection) {
+                if (!isLast)
+                    continue;
+                on.pop_back();
+            }
             on.push_back(next);
         }
         settleEnd(std::span(on));
         std::ranges::reverse(on);
         settleEnd(std::span(on));
         std::ranges::reverse(on);
-        CgalMesh strip;
-        std::vector<std::pair<Vertex, Vertex>> sections;
+        std::vector<RibbonSection> across;
         for (std::size_t k = 0; k < on.size(); ++k) {
             Vec3 normal = Vec3::Zero(); // of neighbours too: at an edge of the form it turns
             for (std::size_t i = k > 0 ? k - 1 : 0; i <= std::min(k + 1, on.size() - 1); ++i)
                 normal += on[i].normal;
-            normal.normalize();
             // What was prolonged beyond the border stays there: it is not pulled back to it.
             const bool beyond = (k == 0 || k + 1 == on.size()) && !line.closed;
-            const Vec3 middle = beyond ? (k == 0 ? places.front() : places.back()) : on[k].at;
             const double width = ribbon + (beyond ? on[k].away : 0);
-            sections.emplace_back(strip.add_vertex(toCgal(middle - width * normal)),
-                                  strip.add_vertex(toCgal(middle + width * normal)));
+            across.push_back(
+                {beyond ? (k == 0 ? places.front() : places.back()) : on[k].at, normal.normalized(), width, width});
         }
+        narrowBends(across);
+        CgalMesh strip;
+        std::vector<std::pair<Vertex, Vertex>> sections;
+        for (const RibbonSection& section : across)
+            sections.emplace_back(strip.add_vertex(toCgal(section.middle - section.below * section.normal)),
+                                  strip.add_vertex(toCgal(section.middle + section.above * section.normal)));
         if (line.closed)
             sections.back() = sections.front();
         for (std::size_t k = 1; k < sections.size(); ++k) {
