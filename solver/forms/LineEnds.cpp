@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace bolster {
 
@@ -34,7 +36,46 @@ FormLine closed(FormLine line)
 
 std::vector<FormLine> LineEnds::parts(const FormLine& line) const
 {
-    return awayFromBorder(comesBack(line) ? closed(line) : endedOnEdges(line));
+    if (comesBack(line))
+        return awayFromBorder(closed(line));
+    std::vector<FormLine> parts;
+    for (const FormLine& part : line.closed ? std::vector{line} : onForm(line))
+        std::ranges::move(awayFromBorder(endedOnEdges(part)), std::back_inserter(parts));
+    return parts;
+}
+
+/// A line that leaves the form over an edge and comes back to it elsewhere, as over the inner corner of an L: it
+/// would run along the edges on the way.
+std::vector<FormLine> LineEnds::onForm(const FormLine& line) const
+{
+    constexpr double apart = 2, off = 2; // mm
+    const std::vector<Vec3> places = evenly(line, apart);
+    std::vector<bool> outside;
+    for (const Vec3& place : places)
+        outside.push_back(m_form.isOutside(place));
+    std::vector<FormLine> parts;
+    FormLine part{line.name, {}, false};
+    for (std::size_t k = 0; k < places.size();) {
+        std::size_t end = k;
+        while (end < places.size() && outside[end])
+            ++end;
+        const bool between = k > 0 && end > k && end < places.size();
+        const Vec3 middle =
+            between ? Vec3(0.5 * (m_form.nearest(places[k]) + m_form.nearest(places[end - 1]))) : Vec3();
+        const bool leaves = between && (m_form.nearest(middle) - middle).norm() > off;
+        if (leaves) {
+            part.points.push_back(places[k]);
+            parts.push_back(std::exchange(part, {line.name, {places[end - 1]}, false}));
+            k = end;
+        } else {
+            part.points.push_back(places[k++]);
+        }
+    }
+    parts.push_back(std::move(part));
+    if (parts.size() == 1)
+        return {line};
+    std::erase_if(parts, [](const FormLine& each) { return !(lengthOf(each.points) > shortestLine); });
+    return parts;
 }
 
 /// Without what was drawn over a border, or an edge that is sharp or cut anyway, by a few mm at its ends.

@@ -42,6 +42,7 @@ public:
     void prolong(std::vector<Vec3>& places, const FormLine& line, const Joined& joined) const;
 
 private:
+    std::vector<FormLine> onForm(const FormLine& line) const;
     FormLine endedOnEdges(FormLine line) const;
     void endOnEdge(std::vector<Vec3>& points) const;
     Vec3 acrossBorder(const Vec3& at) const;

@@ -871,5 +871,22 @@ TEST(FormLines, ABendThatFadesOutIsNoLineThatEndsInside)
     EXPECT_EQ(edgesInside(form), edgesInside(uncut));
 }
 
+/// It ran along the edges of the inner corner there, and was said to bend too sharply.
+TEST(FormLines, MayLeaveTheFormAndComeBack)
+{
+    const double side = 200, height = 60;
+    const TriangleMesh tray = trayMesh({"x ", "xx"}, side, height);
+    for (const double outside : {4.0, 25.0, 90.0})
+        for (const TriangleMesh& form : {tray, quartered(quartered(quartered(tray)))}) {
+            const Vec3 from(outside, 2 * side, height), to(2 * side, outside, height);
+            const Form cut = cutForm(form, {false, 60, {{"Line", {from, to}, false}}});
+            const std::vector<FlatPiece> flat = flatten(cut, {});
+            const FormPattern made = formPattern(cut, flat, {});
+            EXPECT_EQ(std::ranges::count(made.patches, noElement), 0) << outside;
+            EXPECT_EQ(cut.pieces.size(), 9U) << "six walls, and the top in three; " << outside;
+            EXPECT_TRUE(cut.notes.empty()) << outside << ": " << cut.notes.front().english();
+        }
+}
+
 } // namespace
 } // namespace bolster::test
