@@ -292,9 +292,9 @@ private:
         const std::vector<FlatPiece> flat = flatten(form, flattening, m_stop);
         if (m_stop.stop_requested() || flat.empty())
             return bad;
-        const FormPattern pattern = formPattern(form, flat, m_order, m_stop);
-        for (std::size_t p = 0; p < pattern.patches.size(); ++p)
-            bad[p] = pattern.patches[p] == noElement || flat[p].strainP99 > limit;
+        const std::vector<bool> become = becomePatches(form, flat, m_order, m_stop);
+        for (std::size_t p = 0; p < bad.size() && !m_stop.stop_requested(); ++p)
+            bad[p] = !become[p] || flat[p].strainP99 > limit;
         return bad;
     }
 

@@ -151,7 +151,8 @@ public:
         , m_builder(Design())
     {}
 
-    FormPattern build()
+    /// Patches alone, not sewn and not held.
+    const std::vector<ElementId>& addPatches()
     {
         Settings settings;
         settings.edgeLength = m_order.edgeLength;
@@ -166,6 +167,12 @@ public:
         makeSidesEqual(m_form, m_outlines, m_stop);
         for (std::size_t p = 0; goesOn(p); ++p)
             addPatch(p);
+        return m_result.patches;
+    }
+
+    FormPattern build()
+    {
+        addPatches();
         for (std::size_t p = 0; goesOn(p); ++p)
             for (std::size_t r = 0; r < piece(p).rows.size(); ++r)
                 addRow(p, r);
@@ -781,6 +788,17 @@ FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, co
                         const std::stop_token& stop)
 {
     return Builder(form, flat, order, stop).build();
+}
+
+std::vector<bool> becomePatches(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order,
+                                const std::stop_token& stop)
+{
+    std::vector<bool> become;
+    Builder builder(form, flat, order, stop);
+    for (const ElementId patch : builder.addPatches())
+        become.push_back(patch != noElement);
+    become.resize(form.pieces.size(), false); // when stopped
+    return become;
 }
 
 } // namespace bolster

@@ -51,4 +51,8 @@ struct FormPattern {
 FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order,
                         const std::stop_token& stop = {});
 
+/// Whether it makes a patch of each piece: nothing is sewn or held for that.
+std::vector<bool> becomePatches(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order,
+                                const std::stop_token& stop = {});
+
 } // namespace bolster

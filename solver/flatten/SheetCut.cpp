@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 namespace bolster {
@@ -16,6 +17,7 @@ namespace {
 using Triangle = std::array<int, 3>;
 
 constexpr int mostRefinements = 6;
+constexpr double leastHalf = 0.02; // of the area: smoothing may leave next to nothing of a half, again and again
 constexpr std::size_t fewTriangles = 200; // lines follow the edges of so few
 constexpr double nearCorner = 0.15;       // of an edge: a line that crosses it nearer goes through the corner
 constexpr std::array roundsOfSmoothing{30, 8, 0}; // as many as leave something of both halves
@@ -183,6 +185,15 @@ TwoParts acrossTriangles(FormSheet& sheet, std::vector<double> values)
     return halves;
 }
 
+double areaOf(const FormSheet& sheet, const std::vector<Triangle>& triangles)
+{
+    const auto areas = [&](double sum, const Triangle& t) {
+        return sum +
+               (sheet.points[t[1]] - sheet.points[t[0]]).cross(sheet.points[t[2]] - sheet.points[t[0]]).norm() / 2;
+    };
+    return std::accumulate(triangles.begin(), triangles.end(), 0.0, areas);
+}
+
 } // namespace
 
 FormSheet fine(FormSheet sheet, std::size_t triangles)
@@ -198,7 +209,8 @@ std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves)
         for (const int rounds : roundsOfSmoothing) {
             FormSheet cut = sheet;
             const auto [below, above] = acrossTriangles(cut, smoothed(sheet, halves, rounds));
-            if (!below.empty() && !above.empty())
+            const double lesser = std::min(areaOf(cut, below), areaOf(cut, above));
+            if (lesser > leastHalf * areaOf(cut, cut.triangles))
                 return {FormSheet{cut.points, below}, FormSheet{cut.points, above}};
         }
     const auto [below, above] = alongEdges(sheet, halves.ofTriangles);

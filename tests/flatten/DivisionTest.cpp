@@ -1,5 +1,7 @@
 // Forms that cannot be laid flat as they are, divided until they can.
 #include "Division.h"
+#include "Fiedler.h"
+#include "SheetCut.h"
 #include "TestForms.h"
 
 #include <gtest/gtest.h>
@@ -286,6 +288,28 @@ TEST(Division, IsTheSameEachTime)
     const Form box = cutForm(closedBox(), {});
     const Form once = divided(box, {}), again = divided(box, {});
     EXPECT_EQ(once.points, again.points);
+}
+
+/// What smoothing had left of a half was two triangles, and then two of what was left, without end.
+TEST(Division, HalvesThatSmoothingTakesAwayArePartedAlongEdges)
+{
+    const TriangleMesh grid = gridMesh(20, 20, [](double u, double v) { return Vec3(400 * u, 400 * v, 0); });
+    FormSheet sheet{grid.points, {}};
+    for (const auto& [a, b, c] : grid.triangles)
+        sheet.triangles.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+    Halves halves;
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
+        halves.ofTriangles.push_back(sheet.center(t).x() < 360 ? -1 : 1);
+    for (const Vec3& at : sheet.points) // hardly so but at a corner
+        halves.ofPoints.push_back(at.x() < 360 ? -1 : at.x() + at.y() > 799 ? 10 : 0.001);
+    const std::array<FormSheet, 2> parts = cutInTwo(sheet, halves);
+    const auto areaOf = [](const FormSheet& part) {
+        double area = 0;
+        for (std::size_t t = 0; t < part.triangles.size(); ++t)
+            area += part.areaNormal(t).norm();
+        return area;
+    };
+    EXPECT_NEAR(areaOf(parts[1]) / areaOf(sheet), 0.1, 0.05);
 }
 
 } // namespace bolster
