@@ -10834,10 +10834,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>Über den Grenzen der Stoffe: vorher %1 der gemalten Fläche, jetzt %2</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>Über den Grenzen der Stoffe: vorher %1 des Bezugs, jetzt %2</translation>
     </message>

@@ -10834,10 +10834,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>Por encima de los límites de las telas: antes %1 de la zona pintada, ahora %2</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>Por encima de los límites de las telas: antes %1 de la funda, ahora %2</translation>
     </message>

@@ -10834,10 +10834,6 @@
         <translation>&#x202f;%</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>Au-delà des limites des tissus&#x202f;: %1 de la zone peinte avant, %2 maintenant</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>Au-delà des limites des tissus&#x202f;: %1 de la housse avant, %2 maintenant</translation>
     </message>

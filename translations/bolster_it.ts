@@ -10834,10 +10834,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>Oltre i limiti dei tessuti: prima %1 dell’area dipinta, ora %2</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>Oltre i limiti dei tessuti: prima %1 del rivestimento, ora %2</translation>
     </message>

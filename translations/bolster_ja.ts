@@ -10798,10 +10798,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>生地の限度を超過：塗った範囲の %1（前）、%2（今）</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>生地の限度を超過：カバーの %1（前）、%2（今）</translation>
     </message>

@@ -10870,10 +10870,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>Powyżej granic materiałów: przedtem %1 zamalowanego obszaru, teraz %2</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>Powyżej granic materiałów: przedtem %1 pokrowca, teraz %2</translation>
     </message>

@@ -10798,10 +10798,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Over the fabrics&apos; limits: %1 of the painted area before, %2 now</source>
-        <translation>超过面料极限：涂画区域中之前 %1，现在 %2</translation>
-    </message>
-    <message>
         <source>Over the fabrics&apos; limits: %1 of the cover before, %2 now</source>
         <translation>超过面料极限：面套中之前 %1，现在 %2</translation>
     </message>

@@ -198,6 +198,7 @@ void CauseWindow::build()
     m_list = new HeadedList({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")}, 0, this);
     m_list->setAccessibleName(tr("Causes"));
     m_list->setWordWrap(true); // names differ anywhere
+    m_list->setUniformRowHeights(false);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CauseWindow::rowChosen);
     m_alike = new QLabel(this);
     m_alike->setWordWrap(true);

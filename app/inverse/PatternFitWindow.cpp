@@ -334,9 +334,8 @@ QStringList PatternFitWindow::figures(const std::optional<FitFigures>& now) cons
                           lengthText(before.distanceP95, 2), length(&FitFigures::distanceP95),
                           isolated(formName()));
     const bool inArea = !m_wanted.order.goals.area.isAll();
-    lines << (!m_sought.strained ? inArea ? tr("Over the fabrics' limits: %1 of the painted area before, %2 now")
-                                          : tr("Over the fabrics' limits: %1 of the cover before, %2 now")
-              : inArea ? tr("Strained over the limit: %1 of the painted area before, %2 now")
+    lines << (!m_sought.strained ? tr("Over the fabrics' limits: %1 of the cover before, %2 now")
+              : inArea           ? tr("Strained over the limit: %1 of the painted area before, %2 now")
                                  : tr("Strained over the limit: %1 of the cover before, %2 now"))
                  .arg(percentText(before.overLimit), share(&FitFigures::overLimit));
     if (m_sought.smooth)

@@ -94,9 +94,9 @@ struct FitLocks {
 };
 
 struct FitFigures {
-    double distanceRms = 0, distanceP95 = 0; ///< mm, where there is a target: of FitGoals::area, as the next two
+    double distanceRms = 0, distanceP95 = 0; ///< mm, where there is a target: of FitGoals::area, as the next one
     double covered = 0;                      ///< share of the cover that has one
-    double overLimit = 0;                    ///< share of the cover's area whose strain is over the limit
+    double overLimit = 0; ///< share of the cover whose strain is over the limit; of the area where strain is a goal
     double strainRms = 0;                    ///< 1
     double shapeRms = 0;                     ///< mm, from where the cover was
     double pressed = 0;  ///< share of the area of what shall be smooth where cloth is pressed together

@@ -436,8 +436,10 @@ FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
     if (!m_kept.empty())
         figures.shapeRms = measureScan(*surface, m_kept.place, m_kept.index, pool).figures.rms;
     const SurfaceTopology& topology = *cover.mesh().topology;
+    // What fabrics do not allow counts everywhere, unless strain is what the area is about.
     const CoverStrains found =
-        coverStrains(topology, places, m_design, m_goals.limit, trianglesIn(topology, m_design, m_goals.area));
+        coverStrains(topology, places, m_design, m_goals.limit,
+                     trianglesIn(topology, m_design, m_goals.strain ? m_goals.area : FitArea()));
     figures.overLimit = bolster::overLimit(found).area;
     if (const double all = found.areas.sum(); all > 0)
         figures.strainRms =

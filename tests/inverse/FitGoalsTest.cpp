@@ -288,6 +288,7 @@ TEST(FitGoals, TheDistanceIsThatOfTheArea)
     EXPECT_GT(there.distanceRms, 2);
     EXPECT_LT(whole.distanceRms, 0.6 * there.distanceRms);
     EXPECT_GT(there.covered, 0.9) << "of the area";
+    EXPECT_EQ(there.overLimit, whole.overLimit) << "what fabrics do not allow counts everywhere";
 }
 
 /// A seam between edges of different lengths: with the ease as it is its sides come nearer to each other, with a

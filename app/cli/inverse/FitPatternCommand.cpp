@@ -322,7 +322,7 @@ Json reportOf(const FitOrder& order, const FitResult& result)
 
 std::string overLimitText(const FitGoals& goals, const FitFigures& figures)
 {
-    return percentText(figures.overLimit) + " of the " + (goals.area.isAll() ? "cover" : "area");
+    return percentText(figures.overLimit) + " of the " + (goals.area.isAll() || !goals.strain ? "cover" : "area");
 }
 
 std::string reachedText(const FitGoals& goals, const FitFigures& figures)
