@@ -14,6 +14,7 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -197,8 +198,7 @@ void CauseWindow::build()
     m_said->setWordWrap(true);
     m_list = new HeadedList({tr("Cause"), tr("Amount"), tr("Explains"), tr("Probability")}, 0, this);
     m_list->setAccessibleName(tr("Causes"));
-    m_list->setWordWrap(true); // names differ anywhere
-    m_list->setUniformRowHeights(false);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents); // names differ anywhere
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CauseWindow::rowChosen);
     m_alike = new QLabel(this);
     m_alike->setWordWrap(true);
@@ -214,7 +214,7 @@ void CauseWindow::build()
     layout->addWidget(m_list, 1);
     layout->addWidget(m_alike);
     layout->addWidget(buttons);
-    resize(780, 560);
+    resize(900, 560);
     if (const QWidget* window = parentWidget()) // over the pattern: the cover is what it is about
         move(window->geometry().left() + 24, window->geometry().top() + 80);
 }

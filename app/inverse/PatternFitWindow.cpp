@@ -1,5 +1,6 @@
 #include "PatternFitWindow.h"
 
+#include "ColumnScroll.h"
 #include "DesignSession.h"
 #include "ElementText.h"
 #include "FitOrderPanel.h"
@@ -32,6 +33,8 @@ namespace {
 
 constexpr double arrowsApart = 14;  // pixels
 constexpr double longestArrow = 45; // pixels
+constexpr int titleBar = 40;        // pixels, at most
+constexpr int leastWished = 10;     // lines of it that are seen however low the screen is
 constexpr int usualLines = 2;       // that there is always room for
 constexpr int restOfSlider = 250;   // ms, before a part of the changes is measured
 
@@ -143,8 +146,11 @@ void PatternFitWindow::build()
     m_take = buttons->addButton(tr("&Take the changes"), QDialogButtonBox::AcceptRole);
     connect(m_take, &QPushButton::clicked, this, &PatternFitWindow::commit);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    m_scroll = new ColumnScroll(this);
+    m_scroll->setWidget(m_order);
+    m_scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(m_order);
+    layout->addWidget(m_scroll);
     layout->addWidget(new PullNote(m_document, this));
     layout->addWidget(m_run);
     layout->addWidget(m_said);
@@ -153,8 +159,8 @@ void PatternFitWindow::build()
     layout->addStretch();
     layout->addWidget(buttons);
     const QRect screenArea = screen()->availableGeometry();
-    constexpr int titleBar = 40; // pixels, at most
     resize(460, std::min(800, screenArea.height() - titleBar));
+    fitScreen();
     if (const QWidget* window = parentWidget()) // over the cover's margin: pattern and cover are what one looks at
         move(window->geometry().right() - width() - 24,
              std::min(window->geometry().top() + 80, screenArea.bottom() - height() - titleBar));
@@ -313,8 +319,25 @@ void PatternFitWindow::say(const std::optional<FitFigures>& now)
     // What is below stays under the pointer, also when figures come and take more room.
     keepRoom(*m_said, m_said->width(), said(m_found->result.before));
     keepRoom(*m_notes, m_said->width(), m_notes->text());
-    if (const int needed = layout()->totalMinimumHeightForWidth(width()); needed > height())
-        resize(width(), needed); // else what is above would be cut off
+    fitScreen();
+}
+
+/// What is below is not cut off; where the screen is too low what is wished scrolls.
+void PatternFitWindow::fitScreen()
+{
+    const QRect area = screen()->availableGeometry();
+    const int most = area.height() - titleBar;
+    m_scroll->setFixedHeight(m_order->sizeHint().height());
+    int needed = layout()->totalMinimumHeightForWidth(width());
+    if (needed > most) {
+        const int least = leastWished * fontMetrics().lineSpacing();
+        m_scroll->setFixedHeight(std::max(least, m_scroll->height() - (needed - most)));
+        needed = layout()->totalMinimumHeightForWidth(width());
+    }
+    if (needed > height())
+        resize(width(), needed);
+    if (isVisible() && frameGeometry().bottom() > area.bottom())
+        move(x(), std::max(area.top(), area.bottom() - frameGeometry().height()));
 }
 
 /// As many lines whatever is shown.

@@ -20,6 +20,7 @@ class QTreeWidget;
 
 namespace bolster {
 
+class ColumnScroll;
 class DesignSession;
 class NumberBox;
 class PatternView;
@@ -58,6 +59,7 @@ public:
 
 private:
     void build();
+    void fitScreen();
     QWidget* buildOutcome();
     QLayout* buildShare();
     void find();
@@ -99,6 +101,7 @@ private:
     PatternView& m_pattern;
 
     FitOrderPanel* m_order;
+    ColumnScroll* m_scroll = nullptr;
     std::shared_ptr<FitMemory> m_remembered;
     RunRow* m_run = nullptr;
     QPushButton* m_take = nullptr;

@@ -97,12 +97,12 @@ struct FitFigures {
     double distanceRms = 0, distanceP95 = 0; ///< mm, where there is a target: of FitGoals::area, as the next one
     double covered = 0;                      ///< share of the cover that has one
     double overLimit = 0; ///< share of the cover whose strain is over the limit; of the area where strain is a goal
-    double strainRms = 0;                    ///< 1
-    double shapeRms = 0;                     ///< mm, from where the cover was
-    double pressed = 0;  ///< share of the area of what shall be smooth where cloth is pressed together
-    double seamRms = 0;  ///< mm: of the seams that have a curve to run along
-    double sizeMost = 0; ///< share of its area by which a patch is off the size that it shall have
-    double sewnMost = 0; ///< mm: how far the difference of a seam's sides is from what is wanted
+    double strainRms = 0; ///< 1
+    double shapeRms = 0;  ///< mm, from where the cover was
+    double pressed = 0;   ///< share of the area of what shall be smooth where cloth is pressed together
+    double seamRms = 0;   ///< mm: of the seams that have a curve to run along
+    double sizeMost = 0;  ///< share of its area by which a patch is off the size that it shall have
+    double sewnMost = 0;  ///< mm: how far the difference of a seam's sides is from what is wanted
 };
 
 /// Whether sides of seams, whose lengths were to stay, differ by more than a change may make of them.
