@@ -10897,6 +10897,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>Mehr vom Stoff ist über seine Grenzen gedehnt: Machen Sie diese auch zum Ziel oder lassen Sie Punkte weniger wandern.</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>Was gewünscht ist</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

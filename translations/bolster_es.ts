@@ -10897,6 +10897,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>Hay más tela estirada por encima de sus límites: haga de ellos también un objetivo, o deje que los puntos se muevan menos.</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>Lo que se desea</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

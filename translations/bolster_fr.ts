@@ -10897,6 +10897,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>Davantage de tissu est étiré au-delà de ses limites&#x202f;: faites-en aussi un but, ou laissez les points bouger moins.</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>Ce qui est souhaité</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10897,6 +10897,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>Più tessuto è teso oltre i suoi limiti: ne faccia anche un obiettivo, o lasci muovere meno i punti.</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>Ciò che si desidera</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

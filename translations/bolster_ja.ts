@@ -10861,6 +10861,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>限界を超えてひずむ生地が増えています。限界も目標にするか、点の移動を小さくしてください。</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>希望する内容</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10933,6 +10933,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>Więcej tkaniny jest rozciągnięte ponad jej granice: uczyń je także celem albo pozwól punktom przesuwać się mniej.</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>Czego się oczekuje</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -10861,6 +10861,10 @@
         <source>More of the cloth is strained over its limits: make these a goal, too, or let points move less.</source>
         <translation>更多面料的应变超过其极限：请将其也设为目标，或让点移动得更少。</translation>
     </message>
+    <message>
+        <source>What is wished</source>
+        <translation>期望的结果</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>

@@ -148,6 +148,7 @@ void PatternFitWindow::build()
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     m_scroll = new ColumnScroll(this);
     m_scroll->setWidget(m_order);
+    m_scroll->setAccessibleName(tr("What is wished"));
     m_scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_scroll);

@@ -62,14 +62,15 @@ std::vector<FormLine> LineEnds::onForm(const FormLine& line) const
         const bool between = k > 0 && end > k && end < places.size();
         const Vec3 middle =
             between ? Vec3(0.5 * (m_form.nearest(places[k]) + m_form.nearest(places[end - 1]))) : Vec3();
-        const bool leaves = between && (m_form.nearest(middle) - middle).norm() > off;
-        if (leaves) {
+        if (between && (m_form.nearest(middle) - middle).norm() > off) {
             part.points.push_back(places[k]);
             parts.push_back(std::exchange(part, {line.name, {places[end - 1]}, false}));
-            k = end;
         } else {
-            part.points.push_back(places[k++]);
+            end = std::max(end, k + 1);
+            part.points.insert(part.points.end(), places.begin() + static_cast<std::ptrdiff_t>(k),
+                               places.begin() + static_cast<std::ptrdiff_t>(end));
         }
+        k = end;
     }
     parts.push_back(std::move(part));
     if (parts.size() == 1)

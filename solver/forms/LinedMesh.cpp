@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace bolster {
 
@@ -148,8 +149,12 @@ void LinedMesh::renumberEdges()
     mesh = std::move(anew);
     part = mesh.add_property_map<Face, int>("f:part", 0).first;
     cut = mesh.add_property_map<FormEdge, bool>("e:cut", false).first;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        part[mesh.add_face(faces[f][0], faces[f][1], faces[f][2])] = parts[f];
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const Face face = mesh.add_face(faces[f][0], faces[f][1], faces[f][2]);
+        if (face == CgalMesh::null_face())
+            throw std::runtime_error("more than two faces at an edge"); // there were not before
+        part[face] = parts[f];
+    }
     for (const auto& [a, b] : cuts)
         cut[mesh.edge(mesh.halfedge(a, b))] = true;
 }

@@ -168,11 +168,6 @@ std::string outcome(const Trial& trial, bool solve)
         std::string notes = std::to_string(made.patches.size()) + " pieces";
         for (const Message& note : made.notes)
             notes.append("; ").append(note.english());
-        if (std::getenv("DEBUGP")) for (const FormPiece& piece : form.pieces) {
-            std::printf("%s:", piece.name.c_str());
-            for (int v : piece.border) { const Vec3& q = form.points[piece.points[v]]; std::printf(" (%.2f %.2f %.2f)", q.x(), q.y(), q.z()); }
-            std::puts("");
-        }
         return notes;
     }
     if (!solve)
