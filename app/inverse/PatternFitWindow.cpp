@@ -149,7 +149,6 @@ void PatternFitWindow::build()
     m_scroll = new ColumnScroll(this);
     m_scroll->setWidget(m_order);
     m_scroll->setAccessibleName(tr("What is wished"));
-    m_scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_scroll);
     layout->addWidget(new PullNote(m_document, this));

@@ -32,14 +32,6 @@ constexpr double onEdge = 0.01;                                   // mm
 constexpr double asClose = 1e-4;                                  // of a number: roundoff apart
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
-double areaOf(const FormSheet& sheet)
-{
-    double area = 0;
-    for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
-        area += sheet.areaNormal(t).norm();
-    return area;
-}
-
 /// By points of the form: where it is only cut open it hangs together.
 FormSheet sheetOf(const std::vector<Vec3>& points, const FormPiece& piece)
 {
@@ -119,7 +111,7 @@ double winding(const Form& form)
         length +=
             (form.points[piece.points[piece.border[piece.after(k)]]] - form.points[piece.points[piece.border[k]]])
                 .norm();
-    return length * length / (4 * std::numbers::pi * areaOf(sheetOf(form.points, piece)));
+    return length * length / (4 * std::numbers::pi * sheetOf(form.points, piece).area());
 }
 
 class Divider {
@@ -307,7 +299,7 @@ private:
     /// What creases part already, unless they part it into small pieces; else all of it, with enough triangles.
     std::vector<FormSheet> betweenCreases(const FormSheet& sheet) const
     {
-        if (areaOf(sheet) < m_least)
+        if (sheet.area() < m_least)
             return {sheet};
         TriangleMesh mesh;
         append(mesh, sheet, "");
@@ -327,7 +319,7 @@ private:
     void joinCrumbs(std::vector<FormSheet>& parts) const
     {
         const double crumb = std::pow(crumbEdges * m_order.edgeLength, 2);
-        const auto isCrumb = [&](const FormSheet& part) { return areaOf(part) < crumb; };
+        const auto isCrumb = [&](const FormSheet& part) { return part.area() < crumb; };
         while (parts.size() > 1 && std::ranges::any_of(parts, isCrumb) && !m_stop.stop_requested()) {
             const std::map<Pair, double> common = commonLengths(parts);
             auto longest = common.end();
@@ -346,7 +338,7 @@ private:
     /// What creases part, or else the two halves, until they lie flat; or the sheet.
     std::vector<FormSheet> parts(const FormSheet& sheet)
     {
-        if (areaOf(sheet) < m_least)
+        if (sheet.area() < m_least)
             return {sheet};
         if (std::vector<FormSheet> between = betweenCreases(sheet); between.size() > 1)
             return joined(flatPartsOf(std::move(between)), true);
@@ -375,7 +367,7 @@ private:
             if (form.pieces.size() > 1) { // halves need not hang together
                 for (const FormPiece& piece : form.pieces)
                     waiting.push_back(sheetOf(form.points, piece));
-            } else if (areaOf(sheet) < m_least || liesFlat(sheet, form)) {
+            } else if (sheet.area() < m_least || liesFlat(sheet, form)) {
                 addTo(done, std::move(sheet));
             } else if (auto [below, above] = halved(sheet); below.triangles.empty() || above.triangles.empty()) {
                 addTo(done, std::move(sheet));
@@ -411,11 +403,11 @@ private:
         std::map<Pair, double> common = commonLengths(sheets);
         if (onlySmall)
             std::erase_if(common, [&](const auto& each) {
-                return std::min(areaOf(sheets[each.first.first]), areaOf(sheets[each.first.second])) >= m_least;
+                return std::min(sheets[each.first.first].area(), sheets[each.first.second].area()) >= m_least;
             });
         std::vector<double> areas;
         for (const FormSheet& sheet : sheets)
-            areas.push_back(areaOf(sheet));
+            areas.push_back(sheet.area());
         const auto closeness = [&](const auto& each) {
             const auto& [pair, length] = each;
             return length / std::sqrt(std::min(areas[pair.first], areas[pair.second]));

@@ -246,6 +246,14 @@ Vec3 FormSheet::center(std::size_t t) const
     return (points[a] + points[b] + points[c]) / 3;
 }
 
+double FormSheet::area() const
+{
+    double area = 0;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        area += areaNormal(t).norm();
+    return area;
+}
+
 Halves halvesOf(const FormSheet& sheet, const std::stop_token& stop)
 {
     const Graph graph = graphOf(sheet, stop);

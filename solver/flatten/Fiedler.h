@@ -16,6 +16,7 @@ struct FormSheet {
 
     Vec3 areaNormal(std::size_t triangle) const; ///< mm^2
     Vec3 center(std::size_t triangle) const;
+    double area() const; ///< mm^2
 };
 
 /// Numbers that are negative in one half and positive in the other one.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 
 namespace bolster {
@@ -185,15 +184,6 @@ TwoParts acrossTriangles(FormSheet& sheet, std::vector<double> values)
     return halves;
 }
 
-double areaOf(const FormSheet& sheet, const std::vector<Triangle>& triangles)
-{
-    const auto areas = [&](double sum, const Triangle& t) {
-        return sum +
-               (sheet.points[t[1]] - sheet.points[t[0]]).cross(sheet.points[t[2]] - sheet.points[t[0]]).norm() / 2;
-    };
-    return std::accumulate(triangles.begin(), triangles.end(), 0.0, areas);
-}
-
 } // namespace
 
 FormSheet fine(FormSheet sheet, std::size_t triangles)
@@ -209,9 +199,9 @@ std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves)
         for (const int rounds : roundsOfSmoothing) {
             FormSheet cut = sheet;
             const auto [below, above] = acrossTriangles(cut, smoothed(sheet, halves, rounds));
-            const double lesser = std::min(areaOf(cut, below), areaOf(cut, above));
-            if (lesser > leastHalf * areaOf(cut, cut.triangles))
-                return {FormSheet{cut.points, below}, FormSheet{cut.points, above}};
+            std::array<FormSheet, 2> parts{FormSheet{cut.points, below}, FormSheet{cut.points, above}};
+            if (std::min(parts[0].area(), parts[1].area()) > leastHalf * sheet.area())
+                return parts;
         }
     const auto [below, above] = alongEdges(sheet, halves.ofTriangles);
     return {FormSheet{sheet.points, below}, FormSheet{sheet.points, above}};

@@ -36,19 +36,19 @@ FormLine closed(FormLine line)
 
 std::vector<FormLine> LineEnds::parts(const FormLine& line) const
 {
-    if (comesBack(line))
-        return awayFromBorder(closed(line));
     std::vector<FormLine> parts;
-    for (const FormLine& part : line.closed ? std::vector{line} : onForm(line))
+    for (const FormLine& part : onForm(comesBack(line) ? closed(line) : line))
         std::ranges::move(awayFromBorder(endedOnEdges(part)), std::back_inserter(parts));
     return parts;
 }
 
-/// A line that leaves the form over an edge and comes back to it elsewhere, as over the inner corner of an L: it
-/// would run along the edges on the way.
+/// The parts of a line that leaves the form over an edge and comes back to it elsewhere, as over the inner corner
+/// of an L: it would run along the edges on the way.
 std::vector<FormLine> LineEnds::onForm(const FormLine& line) const
 {
     constexpr double apart = 2, off = 2; // mm
+    if (line.closed)
+        return {line};
     const std::vector<Vec3> places = evenly(line, apart);
     std::vector<bool> outside;
     for (const Vec3& place : places)

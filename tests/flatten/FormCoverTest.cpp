@@ -271,17 +271,9 @@ TEST(FormCover, OfTopsThatAreCutAnyhowComesToRest)
         const double radius = random() % 2 == 0 ? 150 : 300, height = random() % 2 == 0 ? 60 : 150;
         const double off = between(-0.7, 0.7) * radius * std::cos(std::numbers::pi / corners);
         const double over = between(0, 8), turn = between(0, 2 * std::numbers::pi);
-        const Vec3 across(std::cos(turn), std::sin(turn), 0), along(-across.y(), across.x(), 0);
-        double begin = -1e9, end = 1e9; // of the line, on the top
-        for (unsigned k = 0; k < corners; ++k) {
-            const double middle = (2 * k + 1) * std::numbers::pi / corners;
-            const Vec3 out(std::cos(middle), std::sin(middle), 0);
-            const double room = radius * std::cos(std::numbers::pi / corners) - off * out.dot(across);
-            if (const double slope = out.dot(along); std::abs(slope) > 1e-9)
-                (slope > 0 ? end : begin) = slope > 0 ? std::min(end, room / slope) : std::max(begin, room / slope);
-        }
-        const Vec3 top = off * across + height * Vec3::UnitZ();
-        const FormLine line{"Line", {top + (begin - over) * along, top + (end + over) * along}, false};
+        const PrismCrossing top = acrossPrism(corners, radius, height, turn, off);
+        const Vec3 along = (top.end - top.begin).normalized();
+        const FormLine line{"Line", {top.begin - over * along, top.end + over * along}, false};
         const Form form = cutForm(hollowPrism(corners, radius, height), {false, 30, {line}});
         EXPECT_EQ(form.pieces.size(), corners + 2U) << round;
         FormPatternOrder order;

@@ -712,7 +712,12 @@ TEST(FormLines, CurvesByRoundedEdgesOfFramesAreCutOrLeftOut)
         cuts.lines = linesOf(designIn(folder + design + ".json"));
         ASSERT_FALSE(cuts.lines.empty());
         const Form form = cutForm(*mesh.mesh, cuts);
-        EXPECT_TRUE(form.pieces.size() > uncut || !form.notes.empty() || !form.problem.empty()) << frame;
+        const auto sharp = [](const Message& note) {
+            return note.key.find("bends too sharply at") != std::string::npos ||
+                   note.key.find("The form goes through itself at") != std::string::npos;
+        };
+        EXPECT_TRUE(form.pieces.size() > uncut || std::ranges::any_of(form.notes, sharp) || !form.problem.empty())
+            << frame;
         if (form.problem.empty()) {
             EXPECT_NO_THROW(formPattern(form, flatten(form, {}), {})) << frame;
         }

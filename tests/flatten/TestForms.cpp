@@ -115,6 +115,32 @@ TriangleMesh hollowPrism(unsigned corners, double radius, double height)
     return prism;
 }
 
+PrismCrossing acrossPrism(unsigned corners, double radius, double height, double angle, double off)
+{
+    const Vec3 across(std::cos(angle), std::sin(angle), 0), along(-across.y(), across.x(), 0);
+    double begin = -1e9, end = 1e9;
+    PrismCrossing made;
+    for (unsigned k = 0; k < corners; ++k) {
+        const double middle = (2 * k + 1) * std::numbers::pi / corners;
+        const Vec3 out(std::cos(middle), std::sin(middle), 0);
+        const double slope = out.dot(along);
+        if (std::abs(slope) < 1e-9)
+            continue;
+        const double at = (radius * std::cos(std::numbers::pi / corners) - off * out.dot(across)) / slope;
+        if (slope > 0 && at < end) {
+            end = at;
+            made.last = k;
+        } else if (slope < 0 && at > begin) {
+            begin = at;
+            made.first = k;
+        }
+    }
+    const Vec3 top = off * across + height * Vec3::UnitZ();
+    made.begin = top + begin * along;
+    made.end = top + end * along;
+    return made;
+}
+
 TriangleMesh quartered(const TriangleMesh& mesh)
 {
     TriangleMesh fine = mesh;

@@ -23,6 +23,13 @@ TriangleMesh ringMesh(double lower, double upper, double height, int columns = 9
 TriangleMesh trayMesh(const std::vector<std::string>& plan, double side, double height);
 /// Walls and the top of a prism, mm; its first corner lies at x = `radius`.
 TriangleMesh hollowPrism(unsigned corners, double radius, double height);
+/// A straight line over its top: where it crosses the edges, and the walls below (0: after the first corner).
+struct PrismCrossing {
+    Vec3 begin, end;
+    unsigned first = 0, last = 0;
+};
+/// At right angles to the direction of an angle, `off` mm from the middle.
+PrismCrossing acrossPrism(unsigned corners, double radius, double height, double angle, double off);
 /// Each triangle as four.
 TriangleMesh quartered(const TriangleMesh& mesh);
 

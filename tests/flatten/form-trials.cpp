@@ -62,37 +62,6 @@ struct Prism {
     double inner() const { return radius * std::cos(std::numbers::pi / corners); }
 };
 
-/// Where a straight line over the top crosses its edges, at `off` mm from its middle; and the walls below.
-struct Crossing {
-    Vec3 begin, end;
-    unsigned first = 0, last = 0;
-};
-
-Crossing crossing(const Prism& prism, double turn, double off)
-{
-    const Vec3 across(std::cos(turn), std::sin(turn), 0), along(-across.y(), across.x(), 0);
-    double begin = -1e9, end = 1e9;
-    Crossing made;
-    for (unsigned k = 0; k < prism.corners; ++k) {
-        const Vec3 out = prism.outOf(k);
-        const double slope = out.dot(along);
-        if (std::abs(slope) < 1e-9)
-            continue;
-        const double at = (prism.inner() - off * out.dot(across)) / slope;
-        if (slope > 0 && at < end) {
-            end = at;
-            made.last = k;
-        } else if (slope < 0 && at > begin) {
-            begin = at;
-            made.first = k;
-        }
-    }
-    const Vec3 top = off * across + prism.height * Vec3::UnitZ();
-    made.begin = top + begin * along;
-    made.end = top + end * along;
-    return made;
-}
-
 struct Trial {
     Prism prism;
     FormLine line;
@@ -115,8 +84,9 @@ Trial trial(unsigned number)
     const double hovering = random.between(0, 3);
     std::vector<Vec3>& points = made.line.points;
     if (kind == 0 || kind == 1) {
-        const Crossing over =
-            crossing(prism, random.between(0, 2 * std::numbers::pi), random.between(-0.7, 0.7) * prism.inner());
+        const double turn = random.between(0, 2 * std::numbers::pi),
+                     off = random.between(-0.7, 0.7) * prism.inner();
+        const PrismCrossing over = acrossPrism(prism.corners, prism.radius, prism.height, turn, off);
         const Vec3 along = (over.end - over.begin).normalized();
         const double past = kind == 0 ? random.between(0, 8) : hovering;
         const Vec3 up = (kind == 0 ? 0 : hovering) * Vec3::UnitZ();

@@ -464,9 +464,8 @@ void printDraggedLines()
         "\n### A seam line is dragged on a form\n\n"
         "A bucket seat, four lines drawn on it, one of which goes in 20 steps. Each step cuts the form anew, "
         "lays all pieces flat and makes the pattern.\n\n"
-        "| vertices | pieces | a step, median s (cutting, laying flat, pattern) | at most s (of the first two, "
-        "which "
-        "cut the lines that stay) | when it is let go s |\n"
+        "| vertices | pieces | a step, median s (cutting, laying flat, pattern) | at most s "
+        "(of the first two, which cut the lines that stay) | when it is let go s |\n"
         "|---|---|---|---|---|\n");
     for (const int vertices : {2500, 10000, 22500}) {
         const TriangleMesh mesh = bucket(vertices);
