@@ -5490,10 +5490,6 @@
         <translation>%1 Kanten der Form gehören zu mehr als zwei Flächen: Sie sind Ränder, dort wird nichts genäht</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 hat zu viele Löcher: schließen Sie sie, oder teilen Sie es durch Gruppen</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>es hat kein Dreieck mit einer Fläche</translation>
     </message>
@@ -5774,14 +5770,6 @@
         <translation>%1 um %3 mm verkürzen, wo es an %2 genäht ist</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>%1 bei %2 um %3 mm auslassen</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>%1 bei %2 um %3 mm zurücknehmen</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>Naht von %1 und %2 um %3 mm in %2 hinein versetzen</translation>
     </message>
@@ -5930,14 +5918,6 @@
         <translation>„%1“ gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 ist ringsum geschlossen und lässt sich nicht flach legen: teilen Sie es nach Gruppen oder CAD-Flächen, entlang von Linien oder wo es sich biegt</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 hat einen Henkel wie eine Tasse und lässt sich nicht flach legen: teilen Sie es nach Gruppen oder CAD-Flächen, entlang von Linien oder wo es sich biegt</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 wird um %2 % gedehnt, wenn es auf der Form liegt, mehr als jeder Stoff verträgt. Teilen Sie es, oder schneiden Sie es ein, wo es sich am stärksten wölbt</translation>
     </message>
@@ -6060,6 +6040,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>Nach %1 Iterationen bewegt sich die Fläche noch in jeder um %2 mm: Sie kommt nicht zur Ruhe. Machen Sie die Kurven so lang wie die Umrisse, die sie halten, oder versuchen Sie andere Netzkanten.</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1 mit allem, was daran genäht ist, hält nur ein Rand von %2&#xa0;mm: fixieren Sie es auch entlang anderer Kurven, oder schließen Sie dieses Loch der Form</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 ist weggelassen: Es ist ringsum geschlossen und lässt sich nicht flach legen. Schneiden Sie es entlang von Linien auf</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>%1 ist weggelassen: Es hat zu viele Löcher. Schließen Sie sie, oder schneiden Sie es entlang von Linien auf</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 ist weggelassen: Es hat einen Henkel wie eine Tasse und lässt sich nicht flach legen. Schneiden Sie es entlang von Linien auf</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>%1 um %3&#xa0;mm auslassen, wo es an %2 genäht ist</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>%1 um %3&#xa0;mm zurücknehmen, wo es an %2 genäht ist</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>%1 um %3&#xa0;mm auslassen, wo die Kurve %2 es hält</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>%1 um %3&#xa0;mm zurücknehmen, wo die Kurve %2 es hält</translation>
     </message>
 </context>
 <context>
@@ -9659,7 +9671,7 @@
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
-        <translation>an den Kanten seiner &amp;CAD-Flächen</translation>
+        <translation>an den Kanten ihrer &amp;CAD-Flächen</translation>
     </message>
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
@@ -9671,10 +9683,6 @@
             <numerusform>und %n weiteres wird ebenfalls weggelassen</numerusform>
             <numerusform>und %n weitere werden ebenfalls weggelassen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>Ein Häkchen bei „wo sie nicht flach läge“ teilt sie.</translation>
     </message>
     <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
@@ -9705,10 +9713,6 @@
             <numerusform>%n Teil ist auf mehr als einem Hundertstel seiner Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie es oder schneiden Sie es dort ein.</numerusform>
             <numerusform>%n Teile sind auf mehr als einem Hundertstel ihrer Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>Sein Bezug wird etwa %1 Eckpunkte haben und seine Zeit brauchen: Mit Netzkanten von %2 ist er lebendiger.</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9750,17 +9754,6 @@
             <numerusform>%n Naht, deren Seiten gleich lang sind</numerusform>
             <numerusform>%n Nähte, deren Seiten gleich lang sind</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>Auch diese lassen sich nicht flach legen: %1 und %n weiteres</numerusform>
-            <numerusform>Auch diese lassen sich nicht flach legen: %1 und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>Auch diese lassen sich nicht flach legen: %1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9807,6 +9800,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: halten Sie ihn mit einer Fixierung, oder geben Sie seinen Teilen Druck.</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Ihr Bezug wird etwa %1 Netzpunkte haben und wird hier nicht gerechnet: mit Netzkanten von %2 wird er es.</translation>
     </message>
 </context>
 <context>

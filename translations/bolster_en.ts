@@ -195,13 +195,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>These cannot be laid flat either: %1 and %n more</numerusform>
-            <numerusform>These cannot be laid flat either: %1 and %n more</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>(%n curve that holds them will hold nothing)</numerusform>

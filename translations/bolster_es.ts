@@ -5490,10 +5490,6 @@
         <translation>%1 aristas de la forma pertenecen a más de dos caras: son bordes, allí no se cose nada</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 tiene demasiados agujeros: ciérrelos o divídalo por grupos</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>no tiene ningún triángulo con área</translation>
     </message>
@@ -5774,14 +5770,6 @@
         <translation>Acortar %1 %3&#xa0;mm donde está cosido a %2</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Soltar %1 en %2 %3&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Meter %1 en %2 %3&#xa0;mm</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>Mover la costura de %1 y %2 %3&#xa0;mm hacia %2</translation>
     </message>
@@ -5930,14 +5918,6 @@
         <translation>«%1» ya existe; elija otro nombre</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 está cerrada por todas partes y no se puede aplanar: divídala por grupos o caras CAD, a lo largo de líneas o donde se dobla</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 tiene un asa, como una taza, y no se puede aplanar: divídala por grupos o caras CAD, a lo largo de líneas o donde se dobla</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 se deforma un %2 % sobre la forma, más de lo que soporta cualquier tela. Divídala, o haga un corte donde más se abomba</translation>
     </message>
@@ -6060,6 +6040,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>Tras %1 iteraciones la superficie aún se mueve %2&#xa0;mm en cada una: no llega al reposo. Haga las curvas tan largas como los contornos que sujetan o pruebe otras aristas de malla.</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1, con lo que está cosido a ella, solo se sujeta por un borde de %2&#xa0;mm: fíjela también a lo largo de otras curvas, o cierre ese agujero de la forma</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 se omite: está cerrada por todos lados y no se puede aplanar. Córtela a lo largo de líneas</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>%1 se omite: tiene demasiados agujeros. Ciérrelos, o córtela a lo largo de líneas</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 se omite: tiene un asa, como una taza, y no se puede aplanar. Córtela a lo largo de líneas</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>Soltar %1 %3&#xa0;mm donde está cosido a %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>Meter %1 %3&#xa0;mm donde está cosido a %2</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Soltar %1 %3&#xa0;mm donde lo sujeta la curva %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Meter %1 %3&#xa0;mm donde lo sujeta la curva %2</translation>
     </message>
 </context>
 <context>
@@ -9673,10 +9685,6 @@
         </translation>
     </message>
     <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>Una marca en «donde no quedaría plana» la divide.</translation>
-    </message>
-    <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
         <translation>Una marca en «donde no quedaría plana» encuentra por dónde dividirlas.</translation>
     </message>
@@ -9705,10 +9713,6 @@
             <numerusform>%n pieza se deforma en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídala o córtela allí.</numerusform>
             <numerusform>%n piezas se deforman en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídalas o córtelas allí.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>Su funda tendrá unos %1 vértices y tardará: con aristas de malla de %2 es más ágil.</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9750,17 +9754,6 @@
             <numerusform>%n costura, cuyos lados miden lo mismo</numerusform>
             <numerusform>%n costuras, cuyos lados miden lo mismo</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>Tampoco se pueden aplanar: %1 y %n más</numerusform>
-            <numerusform>Tampoco se pueden aplanar: %1 y %n más</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>Tampoco se pueden aplanar: %1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9807,6 +9800,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: sujétela con una fijación, o dé presión a sus piezas.</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Su funda tendrá unos %1 vértices, y aquí no se calcula: con aristas de malla de %2, sí.</translation>
     </message>
 </context>
 <context>

@@ -5490,10 +5490,6 @@
         <translation>%1 arêtes de la forme appartiennent à plus de deux faces&#x202f;: ce sont des bordures, rien n’y est cousu</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 a trop de trous&#x202f;: fermez-les, ou divisez-la par groupes</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>elle n’a aucun triangle avec une aire</translation>
     </message>
@@ -5774,14 +5770,6 @@
         <translation>Raccourcir %1 de %3&#xa0;mm là où elle est cousue à %2</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Élargir %1 en %2 de %3&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Reprendre %1 en %2 de %3&#xa0;mm</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>Déplacer la couture de %1 et %2 de %3&#xa0;mm dans %2</translation>
     </message>
@@ -5930,14 +5918,6 @@
         <translation>«&#x202f;%1&#x202f;» existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 est fermée de tous côtés et ne peut pas être mise à plat&#x202f;: divisez-la par groupes ou faces CAO, le long de lignes, ou là où elle se plie</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 a une anse, comme une tasse, et ne peut pas être mise à plat&#x202f;: divisez-la par groupes ou faces CAO, le long de lignes, ou là où elle se plie</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 est déformée de %2&#x202f;% lorsqu’elle est sur la forme, plus qu’aucun tissu ne supporte. Divisez-la, ou entaillez-la là où elle est le plus bombée</translation>
     </message>
@@ -6060,6 +6040,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>Après %1 itérations, la surface bouge encore de %2&#xa0;mm à chacune&#x202f;: elle ne se stabilise pas. Donnez aux courbes la longueur des contours qu’elles tiennent, ou essayez d’autres arêtes de maillage.</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1, avec ce qui y est cousu, n’est tenue que par un bord de %2&#xa0;mm&#x202f;: fixez-la aussi le long d’autres courbes, ou bouchez ce trou de la forme</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 est omise&#x202f;: elle est fermée de toutes parts et ne peut être mise à plat. Coupez-la le long de lignes</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>%1 est omise&#x202f;: elle a trop de trous. Bouchez-les, ou coupez-la le long de lignes</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 est omise&#x202f;: elle a une anse, comme une tasse, et ne peut être mise à plat. Coupez-la le long de lignes</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>Élargir %1 de %3&#xa0;mm là où elle est cousue à %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>Reprendre %1 de %3&#xa0;mm là où elle est cousue à %2</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Élargir %1 de %3&#xa0;mm là où la courbe %2 la tient</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Reprendre %1 de %3&#xa0;mm là où la courbe %2 la tient</translation>
     </message>
 </context>
 <context>
@@ -9673,10 +9685,6 @@
         </translation>
     </message>
     <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>Une coche à «&#x202f;là où elle ne serait pas à plat&#x202f;» la divise.</translation>
-    </message>
-    <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
         <translation>Une coche à «&#x202f;là où elle ne serait pas à plat&#x202f;» trouve où les diviser.</translation>
     </message>
@@ -9705,10 +9713,6 @@
             <numerusform>%n pièce est, sur plus d’un centième de sa surface, plus déformée que le tissu ne l’admet (jaune)&#x202f;: divisez-la, ou entaillez-la là.</numerusform>
             <numerusform>%n pièces sont, sur plus d’un centième de leur surface, plus déformées que le tissu ne l’admet (jaune)&#x202f;: divisez-les, ou entaillez-les là.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>Sa housse aura environ %1 sommets et prendra du temps&#x202f;: avec des arêtes de maillage de %2 elle est plus vive.</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9750,17 +9754,6 @@
             <numerusform>%n couture, dont les côtés sont de même longueur</numerusform>
             <numerusform>%n coutures, dont les côtés sont de même longueur</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1 et %n autre</numerusform>
-            <numerusform>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1 et %n autres</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>Celles-ci ne peuvent pas non plus être mises à plat&#x202f;: %1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9807,6 +9800,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: tenez-la par une fixation, ou donnez de la pression à ses pièces.</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Sa housse aura environ %1 sommets et n’est pas calculée ici&#x202f;: avec des arêtes du maillage de %2, elle l’est.</translation>
     </message>
 </context>
 <context>

@@ -5490,10 +5490,6 @@
         <translation>%1 spigoli della forma appartengono a più di due facce: sono bordi, lì non si cuce nulla</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 ha troppi fori: chiuderli o dividerlo per gruppi</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>non ha triangoli con un’area</translation>
     </message>
@@ -5774,14 +5770,6 @@
         <translation>Accorcia %1 di %3&#xa0;mm dove è cucito a %2</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Allarga %1 in %2 di %3&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Stringi %1 in %2 di %3&#xa0;mm</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>Sposta la cucitura di %1 e %2 di %3&#xa0;mm dentro %2</translation>
     </message>
@@ -5930,14 +5918,6 @@
         <translation>«%1» esiste già; scelga un altro nome</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 è chiusa tutt’intorno e non si può stendere: la divida per gruppi o facce CAD, lungo linee o dove si piega</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 ha un manico, come una tazza, e non si può stendere: la divida per gruppi o facce CAD, lungo linee o dove si piega</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 si deforma del %2 % quando sta sulla forma, più di quanto regga qualsiasi tessuto. La divida, o la incida dove è più bombata</translation>
     </message>
@@ -6060,6 +6040,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>Dopo %1 iterazioni la superficie si muove ancora di %2&#xa0;mm in ognuna: non va a riposo. Fare le curve lunghe quanto i contorni che tengono o provare altri lati della mesh.</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1, con ciò che vi è cucito, è tenuto solo da un bordo di %2&#xa0;mm: fissarlo anche lungo altre curve, oppure chiudere quel foro della forma</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 viene omesso: è chiuso tutt’intorno e non si può stendere in piano. Tagliarlo lungo linee</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>%1 viene omesso: ha troppi fori. Chiuderli, o tagliarlo lungo linee</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 viene omesso: ha un manico, come una tazza, e non si può stendere in piano. Tagliarlo lungo linee</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>Allarga %1 di %3&#xa0;mm dove è cucito a %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>Stringi %1 di %3&#xa0;mm dove è cucito a %2</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Allarga %1 di %3&#xa0;mm dove lo tiene la curva %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Stringi %1 di %3&#xa0;mm dove lo tiene la curva %2</translation>
     </message>
 </context>
 <context>
@@ -9673,10 +9685,6 @@
         </translation>
     </message>
     <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>Un segno a «dove non starebbe in piano» la divide.</translation>
-    </message>
-    <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
         <translation>Un segno a «dove non starebbe in piano» trova dove dividerli.</translation>
     </message>
@@ -9705,10 +9713,6 @@
             <numerusform>%n pezzo è deformato su più di un centesimo della sua superficie più di quanto ammette il tessuto (giallo): dividerlo o inciderlo lì.</numerusform>
             <numerusform>%n pezzi sono deformati su più di un centesimo della loro superficie più di quanto ammette il tessuto (giallo): dividerli o inciderli lì.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>Il suo rivestimento avrà circa %1 vertici e richiederà tempo: con spigoli della maglia di %2 è più vivace.</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9750,17 +9754,6 @@
             <numerusform>%n cucitura, i cui lati sono ugualmente lunghi</numerusform>
             <numerusform>%n cuciture, i cui lati sono ugualmente lunghi</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>Neanche questi si possono stendere: %1 e %n altro</numerusform>
-            <numerusform>Neanche questi si possono stendere: %1 e %n altri</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>Neanche questi si possono stendere: %1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9807,6 +9800,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: tenerlo con un fissaggio, o dare pressione ai suoi pezzi.</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Il suo rivestimento avrà circa %1 vertici e non viene calcolato qui: con lati della mesh di %2 sì.</translation>
     </message>
 </context>
 <context>

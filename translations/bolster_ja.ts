@@ -5486,10 +5486,6 @@
         <translation>形状のエッジ %1 本が 3 枚以上の面に属しています。境界とみなし、縫いません</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 は穴が多すぎます。穴をふさぐか、グループで分割してください</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>面積のある三角形がありません</translation>
     </message>
@@ -5770,14 +5766,6 @@
         <translation>%2 に縫う所で %1 を %3&#xa0;mm 短くする</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>%1 を %2 で %3&#xa0;mm 出す</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>%1 を %2 で %3&#xa0;mm 詰める</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>%1 と %2 の縫い目を %2 側へ %3&#xa0;mm 移動</translation>
     </message>
@@ -5926,14 +5914,6 @@
         <translation>「%1」はすでにあります。別の名前を選んでください</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 は全周が閉じていて平らに展開できません。グループや CAD 面、線、または曲がる所で分割してください</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 にはカップのような取っ手があり、平らに展開できません。グループや CAD 面、線、または曲がる所で分割してください</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 は形状の上で %2 % ひずみ、どの布地の限度も超えます。分割するか、最もふくらむ所に切り込みを入れてください</translation>
     </message>
@@ -6056,6 +6036,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>%1 回の反復後も、面が毎回 %2&#xa0;mm 動き、静止しません。曲線を、保持する輪郭と同じ長さにするか、メッシュのエッジの長さを変えてみてください。</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1 とそれに縫われたものは %2&#xa0;mm の縁だけで支えられています: ほかの曲線でも固定するか、形の穴をふさいでください</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 を除外しました: 全周が閉じていて平らに展開できません。線に沿って切ってください</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>%1 を除外しました: 穴が多すぎます。穴をふさぐか、線に沿って切ってください</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 を除外しました: カップのような取っ手があり平らに展開できません。線に沿って切ってください</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>%2 に縫う所で %1 を %3&#xa0;mm 出す</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>%2 に縫う所で %1 を %3&#xa0;mm 詰める</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>曲線 %2 が固定する所で %1 を %3&#xa0;mm 出す</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>曲線 %2 が固定する所で %1 を %3&#xa0;mm 詰める</translation>
     </message>
 </context>
 <context>
@@ -9655,10 +9667,6 @@
         </translation>
     </message>
     <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>「平らにならない所」にチェックを入れると分割されます。</translation>
-    </message>
-    <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
         <translation>「平らにならない所」にチェックを入れると、分割する所を見つけます。</translation>
     </message>
@@ -9685,10 +9693,6 @@
         <translation>
             <numerusform>%n 個のパーツで、面積の 100 分の 1 を超える所に生地の許容を超えるひずみがあります (黄色)。分割するか、そこに切り込みを入れてください。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>カバーの頂点は約 %1 個になり、時間がかかります。メッシュの辺を %2 にすると軽くなります。</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9727,16 +9731,6 @@
         <translation>
             <numerusform>縫い目 %n 本、両側は同じ長さ</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>次も平らに展開できません: %1、ほか %n 個</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>次も平らに展開できません: %1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9781,6 +9775,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。固定するか、パーツに圧力を与えてください。</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>カバーの頂点は約 %1 個になり、ここでは計算しません: メッシュの辺を %2 にすると計算します。</translation>
     </message>
 </context>
 <context>

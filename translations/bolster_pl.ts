@@ -5494,10 +5494,6 @@
         <translation>krawędzie formy należące do więcej niż dwóch ścian: %1; to brzegi, nic się tam nie szyje</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 ma za dużo otworów: zamknij je lub podziel według grup</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>nie ma trójkąta o niezerowym polu</translation>
     </message>
@@ -5778,14 +5774,6 @@
         <translation>Skróć %1 o %3&#xa0;mm na szwie z: %2</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>Poszerz %1 przy %2 o %3&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>Zwęź %1 przy %2 o %3&#xa0;mm</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>Przesuń szew %1 i %2 o %3&#xa0;mm w głąb: %2</translation>
     </message>
@@ -5934,14 +5922,6 @@
         <translation>„%1” już istnieje; proszę wybrać inną nazwę</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 jest zamknięte dookoła i nie da się rozłożyć: proszę podzielić je według grup lub ścian CAD, wzdłuż linii albo tam, gdzie się zgina</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 ma ucho, jak kubek, i nie da się rozłożyć: proszę podzielić je według grup lub ścian CAD, wzdłuż linii albo tam, gdzie się zgina</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 odkształca się na bryle o %2 %, więcej, niż zniesie jakakolwiek tkanina. Proszę je podzielić albo naciąć tam, gdzie najbardziej się wybrzusza</translation>
     </message>
@@ -6064,6 +6044,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>Po iteracjach w liczbie %1 powierzchnia w każdej nadal przesuwa się o %2&#xa0;mm: nie stabilizuje się. Zrób krzywe tak długie jak kontury, które trzymają, lub spróbuj innych krawędzi siatki.</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1 wraz z tym, co do niego przyszyto, trzyma tylko brzeg o długości %2&#xa0;mm: zamocuj go także wzdłuż innych krzywych albo zamknij ten otwór bryły</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>kawałek %1 pominięto: jest zamknięty ze wszystkich stron i nie da się rozłożyć na płasko. Przetnij go wzdłuż linii</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>kawałek %1 pominięto: ma zbyt wiele otworów. Zamknij je albo przetnij go wzdłuż linii</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>kawałek %1 pominięto: ma ucho jak filiżanka i nie da się rozłożyć na płasko. Przetnij go wzdłuż linii</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>Poszerz %1 o %3&#xa0;mm na szwie z: %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>Zwęź %1 o %3&#xa0;mm na szwie z: %2</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Poszerz %1 o %3&#xa0;mm tam, gdzie trzyma go krzywa %2</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>Zwęź %1 o %3&#xa0;mm tam, gdzie trzyma go krzywa %2</translation>
     </message>
 </context>
 <context>
@@ -9691,10 +9703,6 @@
         </translation>
     </message>
     <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>Zaznaczenie „tam, gdzie nie leżałaby płasko” dzieli ją.</translation>
-    </message>
-    <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
         <translation>Zaznaczenie „tam, gdzie nie leżałaby płasko” znajduje, gdzie je podzielić.</translation>
     </message>
@@ -9725,10 +9733,6 @@
             <numerusform>%n elementy są na ponad jednej setnej powierzchni odkształcone bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
             <numerusform>%n elementów jest na ponad jednej setnej powierzchni odkształconych bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>Jego pokrowiec będzie miał około %1 wierzchołków i zajmie to czas: z krawędziami siatki %2 jest żywszy.</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9773,18 +9777,6 @@
             <numerusform>%n szwy, strony są równej długości</numerusform>
             <numerusform>%n szwów, strony są równej długości</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>Tych też nie da się rozłożyć: %1 i jeszcze %n</numerusform>
-            <numerusform>Tych też nie da się rozłożyć: %1 i jeszcze %n</numerusform>
-            <numerusform>Tych też nie da się rozłożyć: %1 i jeszcze %n</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>Tych też nie da się rozłożyć: %1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9833,6 +9825,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: przytrzymaj go mocowaniem albo nadaj jego elementom ciśnienie.</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Jego pokrowiec będzie mieć około %1 wierzchołków i nie jest tu liczony: z krawędziami siatki %2 będzie.</translation>
     </message>
 </context>
 <context>

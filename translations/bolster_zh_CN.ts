@@ -5486,10 +5486,6 @@
         <translation>形体的 %1 条边属于两个以上的面：它们是边界，不在此缝合</translation>
     </message>
     <message>
-        <source>%1 has too many holes: close them, or divide it by groups</source>
-        <translation>%1 孔过多：请封闭，或按组划分</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>它没有有面积的三角形</translation>
     </message>
@@ -5770,14 +5766,6 @@
         <translation>将 %1 与 %2 缝合处缩短 %3 mm</translation>
     </message>
     <message>
-        <source>Let out %1 at %2 by %3 mm</source>
-        <translation>将 %1 在 %2 处放出 %3 mm</translation>
-    </message>
-    <message>
-        <source>Take in %1 at %2 by %3 mm</source>
-        <translation>将 %1 在 %2 处收进 %3 mm</translation>
-    </message>
-    <message>
         <source>Move the seam of %1 and %2 by %3 mm into %2</source>
         <translation>将 %1 与 %2 的接缝向 %2 内移 %3 mm</translation>
     </message>
@@ -5926,14 +5914,6 @@
         <translation>“%1”已存在；请选择其他名称</translation>
     </message>
     <message>
-        <source>%1 is closed all around and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 四周封闭，无法展平：请按组或 CAD 面、沿线条或在弯折处将其分开</translation>
-    </message>
-    <message>
-        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups or CAD faces, along lines, or where it bends</source>
-        <translation>%1 像杯子一样带有把手，无法展平：请按组或 CAD 面、沿线条或在弯折处将其分开</translation>
-    </message>
-    <message>
         <source>%1 is strained by %2 % when it lies on the form, more than any fabric bears. Divide it, or cut it in where it bulges most</source>
         <translation>%1 贴在形体上时应变达 %2 %，超过任何面料所能承受。请将其分开，或在最鼓处开剪口</translation>
     </message>
@@ -6056,6 +6036,38 @@
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Make curves as long as the outlines they hold, or try other mesh edges.</source>
         <translation>%1 次迭代后，曲面每次仍移动 %2 mm：无法静止。请使曲线与其固定的轮廓等长，或尝试其他网格边长。</translation>
+    </message>
+    <message>
+        <source>%1, with what is sewn to it, is held only at a border of %2 mm: fix it along other curves, too, or close that hole of the form</source>
+        <translation>%1 及与其缝合的部分仅由 %2 mm 的边缘固定：请再沿其他曲线固定，或封闭形体上的该孔</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 被略去：其四周封闭，无法展平。请沿线将其切开</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
+        <translation>%1 被略去：孔过多。请封闭这些孔，或沿线将其切开</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
+        <translation>%1 被略去：其带有杯柄状的环，无法展平。请沿线将其切开</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where it is sewn to %2</source>
+        <translation>将 %1 与 %2 缝合处放出 %3 mm</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where it is sewn to %2</source>
+        <translation>将 %1 与 %2 缝合处收进 %3 mm</translation>
+    </message>
+    <message>
+        <source>Let out %1 by %3 mm where the curve %2 holds it</source>
+        <translation>将 %1 在由曲线 %2 固定处放出 %3 mm</translation>
+    </message>
+    <message>
+        <source>Take in %1 by %3 mm where the curve %2 holds it</source>
+        <translation>将 %1 在由曲线 %2 固定处收进 %3 mm</translation>
     </message>
 </context>
 <context>
@@ -9655,10 +9667,6 @@
         </translation>
     </message>
     <message>
-        <source>A mark at &quot;where it would not lie flat&quot; divides it.</source>
-        <translation>勾选“在无法展平处”即可划分。</translation>
-    </message>
-    <message>
         <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
         <translation>勾选“在无法展平处”可找到划分之处。</translation>
     </message>
@@ -9685,10 +9693,6 @@
         <translation>
             <numerusform>%n 个样片有超过百分之一的面积应变超出面料允许值（黄色）：请将其划分，或在该处切开。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.</source>
-        <translation>其面套将有约 %1 个顶点，需要一些时间：网格边长取 %2 会更流畅。</translation>
     </message>
     <message>
         <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
@@ -9727,16 +9731,6 @@
         <translation>
             <numerusform>%n 条接缝，两侧等长</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>These cannot be laid flat either: %1 and %n more</source>
-        <translation>
-            <numerusform>以下也无法展平：%1 以及另外 %n 个</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>These cannot be laid flat either: %1</source>
-        <translation>以下也无法展平：%1</translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9781,6 +9775,10 @@
     <message>
         <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
         <translation>静止的面套在无固定处偏离形体最多 %1：请用固定将其固定，或给其样片施加压力。</translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>其面套约有 %1 个顶点，此处不求解：网格边长为 %2 时才求解。</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,7 @@ void FileTalk::askForImport(const QString& kind, const QString& title, const QSt
 {
     const QString key = QStringLiteral("import-folder/") + kind;
     const QString last = QSettings().value(key).toString();
-    askForFile(m_window, title, QFileInfo(last).isDir() ? last : startFolder(), filter,
+    askForFile(m_window, title, QFileInfo(last).isDir() ? last : usualFolder(m_session.besideFile()), filter,
                [key, chosen](const QString& path) {
                    QSettings().setValue(key, QFileInfo(path).absolutePath());
                    chosen(path);

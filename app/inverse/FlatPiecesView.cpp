@@ -207,7 +207,7 @@ void FlatPiecesView::paintPiece(QPainter& painter, const QTransform& fit, std::s
         return; // a tip has it
     painter.fillRect(plate.adjusted(-3, -1, 3, 1), colors.canvas);
     painter.setPen(colors.label);
-    painter.drawText(plate, Qt::AlignCenter, name);
+    painter.drawText(plate, Qt::AlignCenter | Qt::TextDontClip, name); // descenders of some fonts stick out
 }
 
 } // namespace bolster

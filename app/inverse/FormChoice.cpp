@@ -72,7 +72,7 @@ bool FormChoice::asksForFile(const std::function<void()>& then)
 void FormChoice::chooseFile(const std::function<void()>& then)
 {
     setCurrentIndex(m_before);
-    askForFile(this, m_fileTitle, usualFolder(m_session.path()),
+    askForFile(this, m_fileTitle, usualFolder(m_session.besideFile()),
                tr("Meshes and scans (%1);;All files (*)")
                    .arg(patternsOf(FileUse::Frame) + ' ' + patternsOf(FileUse::Scan)),
                [this, then](const QString& file) {

@@ -48,13 +48,13 @@ namespace bolster {
 
 namespace {
 
-constexpr double besidePattern = 100; // mm
-constexpr double leastBeside = 15;    // mm, and
-constexpr double shareBeside = 0.04;  // of the form's size: a cover that lies so far off is not what was wanted
-constexpr int mostLinesSaid = 9;      // that are seen at once
-constexpr float hiddenLines = 0.25F;  // share of their opacity behind the form
-constexpr std::size_t mostNotes = 5;  // of pieces that are left out
-constexpr qsizetype mostNames = 4;    // of parts that are refused
+constexpr double besidePattern = 100;  // mm
+constexpr double leastBeside = 15;     // mm, and
+constexpr double shareBeside = 0.04;   // of the form's size: a cover that lies so far off is not what was wanted
+constexpr int mostLinesSaid = 9;       // that are seen at once
+constexpr float hiddenLines = 0.25F;   // share of their opacity behind the form
+constexpr std::size_t mostNotes = 5;   // of pieces that are left out
+constexpr std::size_t mostShown = 500; // triangles of what is closed all around
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -453,7 +453,7 @@ void FormPatternWindow::tickLines(bool ticked)
 
 void FormPatternWindow::chooseFile()
 {
-    askForFile(this, tr("The form to be covered"), usualFolder(m_session.path()),
+    askForFile(this, tr("The form to be covered"), usualFolder(m_session.besideFile()),
                tr("Meshes and CAD files (%1);;All files (*)").arg(patternsOf(FileUse::Frame)),
                [this](const QString& file) {
                    m_file = file;
@@ -641,10 +641,10 @@ void FormPatternWindow::take(FormMade made)
     showOnForm();
     offerToReplace();
     solveCover();
-    const auto leftOut = std::ranges::count(m_made->pattern.patches, noElement);
-    const bool whole = leftOut == 0;
+    const FormPattern& pattern = m_made->pattern;
+    const bool whole = pattern.isEmpty() || std::ranges::count(pattern.patches, noElement) == 0;
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
-    m_make->setEnabled(this->made() && m_made->problem.empty() && std::ssize(m_made->pattern.patches) > leftOut);
+    m_make->setEnabled(this->made() && m_made->problem.empty() && !pattern.isEmpty());
     say();
 }
 
@@ -656,11 +656,19 @@ void FormPatternWindow::showOnForm()
     const ViewColors colors = ViewColors::of(palette());
     const auto add = [&](std::size_t p, const QColor& color, float width) {
         const FormPiece& piece = m_made->form.pieces[p];
-        SceneLine line{{}, color, width, hiddenLines};
-        for (std::size_t k = 0; k <= piece.border.size(); ++k)
-            line.points.push_back(
-                m_made->form.points[piece.points[piece.border[k % piece.border.size()]]].cast<float>());
-        lines.push_back(std::move(line));
+        const auto addLoop = [&](const auto& vertices) {
+            SceneLine line{{}, color, width, hiddenLines};
+            for (std::size_t k = 0; k <= vertices.size(); ++k) {
+                const Vec3& point = m_made->form.points[piece.points[vertices[k % vertices.size()]]];
+                line.points.push_back(point.cast<float>());
+            }
+            lines.push_back(std::move(line));
+        };
+        if (!piece.border.empty())
+            addLoop(piece.border);
+        else // what is closed all around shows where it is by some of its triangles
+            for (std::size_t t = 0; t < piece.triangles.size(); t += piece.triangles.size() / mostShown + 1)
+                addLoop(piece.triangles[t]);
     };
     for (std::size_t p = 0; p < count; ++p)
         add(p, colors.snap, 1.5F);
@@ -676,7 +684,7 @@ void FormPatternWindow::showOnForm()
 void FormPatternWindow::solveCover()
 {
     const FormMade* now = made();
-    if (!now || !now->problem.empty() ||
+    if (!now || !now->problem.empty() || now->pattern.isEmpty() ||
         vertexCount(patternArea(now->pattern.design), now->pattern.design.settings().edgeLength) >
             FormPattern::manyVertices)
         return;
@@ -771,7 +779,8 @@ void FormPatternWindow::say()
     }
     for (const FormSeam& seam : m_made->pattern.seams)
         widest = std::max(widest, std::abs(seam.first - seam.second));
-    lines << tr("%n pieces", nullptr, whole);
+    if (whole > 0)
+        lines << tr("%n pieces", nullptr, whole);
     if (const int seams = static_cast<int>(m_made->pattern.seams.size()); seams > 0)
         lines.back() +=
             ", " +
@@ -800,10 +809,9 @@ void FormPatternWindow::say()
     const double area = patternArea(m_made->pattern.design);
     if (const double vertices = vertexCount(area, m_document.design().settings().edgeLength);
         vertices > FormPattern::manyVertices)
-        lines
-            << tr("Its cover will have about %1 vertices and take its time: with mesh edges of %2 it is livelier.")
-                   .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
-                        lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
+        lines << tr("Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.")
+                     .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
+                          lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
     if (frame() && whole > 0 && !frame()->contact)
         lines << tr(
             "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");
@@ -816,20 +824,8 @@ void FormPatternWindow::say()
 
 void FormPatternWindow::sayProblem()
 {
-    const Form& form = m_made->form;
     QStringList lines{asSentence(translated(m_made->problem))};
-    QStringList others; // the problem is that of the first one
-    for (std::size_t k = 1; k < form.refused.size(); ++k)
-        others << isolated(QString::fromStdString(form.undivided[form.refused[k]].name));
-    const qsizetype unnamed = std::max<qsizetype>(0, others.size() - mostNames);
-    if (unnamed > 0)
-        lines << tr("These cannot be laid flat either: %1 and %n more", nullptr, static_cast<int>(unnamed))
-                     .arg(others.first(mostNames).join(QStringLiteral(", ")));
-    else if (!others.empty())
-        lines << tr("These cannot be laid flat either: %1").arg(others.join(QStringLiteral(", ")));
-    if (!m_divide->isChecked() && !form.refused.empty())
-        lines << tr("A mark at \"where it would not lie flat\" divides it.");
-    for (const Message& note : form.notes)
+    for (const Message& note : m_made->form.notes)
         lines << translated(note);
     m_said->setText(lines.join('\n'));
 }

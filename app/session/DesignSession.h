@@ -30,6 +30,8 @@ public:
     WorkJournal& journal() { return m_journal; }
     /// Where Save writes to; "" for a new design, a sample, a restored new design.
     const QString& path() const { return m_path; }
+    /// Beside which further files are likely: a sample, too, which is not saved there.
+    const QString& besideFile() const { return m_path.isEmpty() ? m_sample : m_path; }
     /// For the window's title.
     QString title() const;
     /// What is changed must be saved under another name.
@@ -159,7 +161,8 @@ private:
     std::optional<CutAllowance> m_startAllowance;
     DesignFolder m_folder;
     QString m_path;
-    QString m_title; ///< of a design without a path
+    QString m_sample; ///< that was opened
+    QString m_title;  ///< of a design without a path
     bool m_onlyToLook = false;
     Problems m_opened;
     std::map<FileKey, ImportedFile> m_known;

@@ -153,6 +153,7 @@ void DesignSession::open(const QString& path, Opening opening, const Replace& re
         const bool pathless = opening != Opening::ToWork || isSample(file);
         take(opened, pathless ? QString() : file, QFileInfo(file).absolutePath(),
              opening == Opening::AsNew ? templateTitle(file) : titleOf(file));
+        m_sample = isSample(file) ? file : QString();
         m_onlyToLook = opening == Opening::ToLook;
         if (m_onlyToLook)
             emit titleChanged();
@@ -180,6 +181,7 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     leaveWork();
     m_folder.start(folder, opened.own);
     m_path = path;
+    m_sample.clear();
     m_title = title;
     m_saves = 0;
     m_onlyToLook = false;

@@ -112,4 +112,14 @@ double seamEase(const Design& design, const Seam& seam)
     return ease(stretchLength(design, seam.a), stretchLength(design, seam.b));
 }
 
+bool puckers(double lengthA, double lengthB, double wanted)
+{
+    return std::abs(lengthB - lengthA - wanted) > mostEase * std::min(lengthA, lengthB);
+}
+
+bool puckers(const Design& design, const Seam& seam)
+{
+    return puckers(stretchLength(design, seam.a), stretchLength(design, seam.b), seam.ease);
+}
+
 } // namespace bolster

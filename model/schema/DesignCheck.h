@@ -26,6 +26,10 @@ inline constexpr double mostEase = 0.05;
 /// Length of the longer stretch over that of the shorter one, minus 1. 0 when an end is missing.
 double seamEase(const Design& design, const Seam& seam);
 
+/// Whether two sides of a seam (mm) differ by more than cloth takes up without folds, beyond what is wanted.
+bool puckers(double lengthA, double lengthB, double wanted);
+bool puckers(const Design& design, const Seam& seam);
+
 /// What is wrong with the shape of an outline, if anything: it must be closed, enclose an area and not meet itself.
 /// Fast enough for every step of a drag.
 std::optional<Message> outlineProblem(const BSpline2& outline);

@@ -448,7 +448,7 @@ void ElementRules::rules(const Seam& seam)
     const double lengthA = lengthOf(seam.a, a->outline);
     const double lengthB = lengthOf(seam.b, b->outline);
     if (const double ratio = ease(lengthA, lengthB);
-        std::abs(lengthB - lengthA - seam.ease) > mostEase * std::min(lengthA, lengthB)) // gathered as it is wanted
+        puckers(lengthA, lengthB, seam.ease)) // gathered as it is wanted
         warn("b",
              {QT_TRANSLATE_NOOP("Message", "the sides of the seam are %1 mm (\"%2\") and %3 mm (\"%4\") long: %5 % "
                                            "ease, more than 5 % puckers; make them equal or check the ends of the "

@@ -4,11 +4,13 @@
 #include "FormLines.h"
 #include "SegmentDistance.h"
 #include "SheetCut.h"
+#include "SheetImage.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -62,12 +64,6 @@ void append(TriangleMesh& mesh, const FormSheet& sheet, const std::string& part)
                                   first + static_cast<std::uint32_t>(c)});
 }
 
-/// Also where some of them are the problem.
-const std::vector<FormPiece>& piecesOf(const Form& form)
-{
-    return form.pieces.empty() ? form.undivided : form.pieces;
-}
-
 /// Where a piece is cut open, but for rings, for which another way may be shorter later.
 std::vector<std::vector<Vec3>> slitsOf(const Form& form, std::size_t p)
 {
@@ -75,7 +71,7 @@ std::vector<std::vector<Vec3>> slitsOf(const Form& form, std::size_t p)
     for (const auto& [a, b] : form.opened)
         opened.insert(std::minmax(a, b));
     std::vector<std::vector<Vec3>> rows;
-    const FormPiece& piece = piecesOf(form)[p];
+    const FormPiece& piece = form.pieces[p];
     for (std::size_t k = 0; k < piece.border.size(); ++k) {
         const int a = piece.points[piece.border[k]], b = piece.points[piece.border[piece.after(k)]];
         if (piece.mates[k].piece == static_cast<int>(p) && !opened.contains(std::minmax(a, b)))
@@ -88,7 +84,7 @@ std::vector<std::vector<Vec3>> slitsOf(const Form& form, std::size_t p)
 std::vector<std::vector<Vec3>> slitsOf(const Form& form)
 {
     std::vector<std::vector<Vec3>> rows;
-    for (std::size_t p = 0; p < piecesOf(form).size(); ++p)
+    for (std::size_t p = 0; p < form.pieces.size(); ++p)
         std::ranges::move(slitsOf(form, p), std::back_inserter(rows));
     return rows;
 }
@@ -133,18 +129,23 @@ public:
 
     Form divided(const Form& form)
     {
-        const std::vector<FormPiece>& pieces = piecesOf(form);
+        const std::vector<FormPiece>& pieces = form.pieces;
         std::vector<bool> bad(pieces.size(), false);
-        for (const std::size_t p : form.refused)
-            bad[p] = true;
         for (std::size_t p = 0; p < pieces.size() && !m_stop.stop_requested(); ++p)
-            bad[p] = bad[p] || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
+            bad[p] = !pieces[p].isSheet() || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
         if (std::ranges::count(bad, true) == 0)
             return form;
-        Form now = divided(form.points, pieces, bad, [&](const FormSheet& sheet) {
+        std::vector<Known> known;
+        Form now = divided(form.points, pieces, bad, [&](std::size_t p, const FormSheet& sheet) {
+            const bool alone = std::ranges::all_of(pieces[p].mates, &EdgeMate::none); // it may be put for another
+            if (std::optional<std::vector<FormSheet>> like = alone ? asBefore(known, sheet) : std::nullopt)
+                return *like;
             std::vector<FormSheet> all = flatPartsOf(betweenCreases(sheet));
             m_isRough = m_isRough || all.size() >= mostPieces;
-            return m_isRough ? std::vector{sheet} : joined(std::move(all), false);
+            all = m_isRough ? std::vector{sheet} : joined(std::move(all), false);
+            if (alone)
+                known.push_back({sheet, all});
+            return all;
         });
         if (m_isRough) {
             Form same = form;
@@ -163,7 +164,8 @@ public:
             if (closeSlits(now, still))
                 continue;
             if (std::ranges::count(still, true) > 0)
-                now = divided(now.points, now.pieces, still, [&](const FormSheet& sheet) { return parts(sheet); });
+                now = divided(now.points, now.pieces, still,
+                              [&](std::size_t, const FormSheet& sheet) { return parts(sheet); });
             if (m_divisions == before)
                 break;
         }
@@ -181,6 +183,24 @@ public:
     }
 
 private:
+    struct Known {
+        FormSheet sheet;
+        std::vector<FormSheet> parts;
+    };
+
+    /// Parts that are alike, as two arms are, are divided alike, however their triangles lie.
+    std::optional<std::vector<FormSheet>> asBefore(const std::vector<Known>& known, const FormSheet& sheet) const
+    {
+        for (const Known& before : known)
+            if (const std::optional<SheetImage> image = imageBetween(before.sheet, sheet, m_stop)) {
+                std::vector<FormSheet> parts;
+                for (const FormSheet& part : before.parts)
+                    parts.push_back(image->of(part));
+                return parts;
+            }
+        return std::nullopt;
+    }
+
     /// With what becomes of those that are bad in their places.
     template <class Divide>
     Form divided(const std::vector<Vec3>& points, const std::vector<FormPiece>& pieces,
@@ -189,7 +209,8 @@ private:
         TriangleMesh mesh;
         for (std::size_t p = 0; p < pieces.size() && !m_stop.stop_requested(); ++p) {
             FormSheet sheet = sheetOf(points, pieces[p]);
-            const std::vector<FormSheet> sheets = bad[p] ? divide(std::move(sheet)) : std::vector{std::move(sheet)};
+            const std::vector<FormSheet> sheets =
+                bad[p] ? divide(p, std::move(sheet)) : std::vector{std::move(sheet)};
             m_divisions += static_cast<int>(sheets.size()) - 1;
             for (const FormSheet& each : sheets)
                 append(mesh, each, pieces[p].part);
@@ -250,7 +271,7 @@ private:
         }
         if (closed)
             form = divided(form.points, form.pieces, std::vector<bool>(form.pieces.size(), false),
-                           [](FormSheet sheet) { return std::vector{std::move(sheet)}; });
+                           [](std::size_t, FormSheet sheet) { return std::vector{std::move(sheet)}; });
         return closed;
     }
 
@@ -307,7 +328,7 @@ private:
         cuts.angle = crease;
         const Form form = cutForm(mesh, cuts, m_stop);
         std::vector<FormSheet> parts;
-        for (const FormPiece& piece : piecesOf(form))
+        for (const FormPiece& piece : form.pieces)
             parts.push_back(sheetOf(form.points, piece));
         joinCrumbs(parts);
         if (parts.size() < 2 || parts.size() > mostCreased)
@@ -489,7 +510,7 @@ double bearableStrain(const Fabric& fabric)
 Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop,
              const DivisionProgress& progress)
 {
-    if (form.pieces.empty() && form.refused.empty())
+    if (form.pieces.empty())
         return form;
     return Divider(form, order, progress, stop).divided(form);
 }

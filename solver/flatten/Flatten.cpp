@@ -52,6 +52,10 @@ public:
         m_places.resize(3, m_count);
         for (int v = 0; v < m_count; ++v)
             m_places.col(v) = point(v);
+        if (!piece.isSheet()) {
+            m_at.setConstant(m_count, 2, std::numeric_limits<double>::quiet_NaN());
+            return;
+        }
         addSewnEdges();
         findOrder(stop);
         startConformally(stop);
@@ -59,6 +63,8 @@ public:
 
     void factor(double seamWeight, const std::stop_token& stop)
     {
+        if (!m_piece.isSheet())
+            return;
         m_seamWeight = seamWeight;
         std::vector<Eigen::Triplet<double>> entries;
         const auto add = [&](int i, int j, double value) { entries.emplace_back(i, j, value); };
@@ -139,15 +145,15 @@ public:
 
     FlatPiece result()
     {
-        turnUpwards();
         FlatPiece flat;
-        if (!m_at.allFinite()) { // triangles without an area, all over
+        if (!m_at.allFinite()) { // no sheet, or triangles without an area, all over
             flat.at.assign(static_cast<std::size_t>(m_count), Vec2::Zero());
             flat.strain.assign(m_facets.size(), 0);
             flat.turnedOver = static_cast<int>(m_facets.size());
             flat.turnedShare = 1;
             return flat;
         }
+        turnUpwards();
         double sum = 0, area = 0, turnedArea = 0;
         for (const Facet& facet : m_facets) {
             const Mat2 map = jacobian(facet);

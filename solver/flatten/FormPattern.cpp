@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 namespace bolster {
@@ -32,12 +33,14 @@ constexpr double rowsWide = 1.5;       // times as wide as high is what lies in 
 constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles beside a cut turn over, and mean nothing
 constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
+constexpr double besideCut = 0.02;   // mm: tolerance of outlines so near each other
 constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
 constexpr std::size_t mostNamed = 3; // pieces in a sentence
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
 constexpr double unbearable = 0.5;   // strain: not even knitted fabrics
 constexpr double narrowest = 0.1;    // mm: nobody sews less
 constexpr double shortestCurve = 0.05; // mm: holds nothing
+constexpr double leastHeld = 0.2;      // mm of border for each mm that a square of its area is wide
 constexpr double sameShape = 0.5;      // mm: from each other's mirror image are twins
 
 constexpr double bendsAlike = 3, muchLonger = 6; // times as long as the edge beside it
@@ -160,7 +163,7 @@ public:
         m_fabric = m_builder.add(m_order.fabric);
         m_starts.resize(m_form.pieces.size());
         m_rowWidth = rowWidth();
-        findClosed();
+        findGroups();
         m_outlines.resize(m_form.pieces.size());
         for (std::size_t p = 0; goesOn(p); ++p)
             makeCurves(p);
@@ -254,6 +257,13 @@ private:
                 m_flat[p].at[there.border[k]] += ways[k] * rooms[k] / std::max(ways[k].squaredNorm(), 0.5);
     }
 
+    /// Of a cut that does not open when the piece is flat.
+    bool liesAtOtherSide(std::size_t p, std::size_t edge) const
+    {
+        const auto mate = static_cast<std::size_t>(piece(p).mates[edge].edge);
+        return isCutEdge(p, edge) && (flatPoint(p, edge) - flatPoint(p, piece(p).after(mate))).norm() < 2 * openCut;
+    }
+
     bool beginsRow(std::size_t p, std::size_t k) const
     {
         return std::ranges::find(piece(p).rows, k, &BorderRow::first) != piece(p).rows.end();
@@ -295,6 +305,10 @@ private:
     /// None of a piece that is left out.
     void makeCurves(std::size_t p)
     {
+        if (!piece(p).isSheet()) {
+            m_result.notes.push_back(piece(p).refusal);
+            return;
+        }
         const auto sensible = [](const Vec2& at) { return (at.array().abs() <= farthestFlat).all(); };
         if (m_flat[p].turnedShare > mostTurned || !std::ranges::all_of(m_flat[p].at, sensible)) {
             leaveOut(p);
@@ -335,11 +349,13 @@ private:
             if (beginsRow(p, (start + k) % count))
                 outline.rows.push_back(outline.curves.size());
             std::vector<Vec2> row{flatPoint(p, (start + k) % count)};
+            const bool atCut = liesAtOtherSide(p, (start + k) % count);
             do {
                 ++k;
                 row.push_back(flatPoint(p, (start + k) % count));
             } while (k < count && !isCorner(p, (start + k) % count));
-            outline.curves.push_back(curveOf(row));
+            outline.curves.push_back(
+                curveOf(row, atCut ? std::min(besideCut, m_order.tolerance) : m_order.tolerance));
         }
         return outline;
     }
@@ -402,8 +418,8 @@ private:
              {piece(p).name}});
     }
 
-    /// Pieces that hang together and have no border.
-    void findClosed()
+    /// Pieces that hang together, and which of these groups have a border.
+    void findGroups()
     {
         const std::size_t count = m_form.pieces.size();
         UnionFind sewn(static_cast<int>(count));
@@ -411,27 +427,61 @@ private:
             for (const EdgeMate& mate : piece(p).mates)
                 if (!mate.none())
                     sewn.join(static_cast<int>(p), mate.piece);
-        std::vector<bool> open(count, false); // of what hangs together, by its root
+        m_group = sewn.labels();
+        m_open.resize(count, false);
         for (std::size_t p = 0; p < count; ++p)
             if (std::ranges::any_of(piece(p).mates, &EdgeMate::none))
-                open[sewn.root(static_cast<int>(p))] = true;
-        m_closed.resize(count);
-        for (std::size_t p = 0; p < count; ++p)
-            m_closed[p] = !open[sewn.root(static_cast<int>(p))];
+                m_open[m_group[p]] = true;
+    }
+
+    bool isClosed(std::size_t p) const { return !m_open[m_group[p]]; }
+
+    /// mm of its border that are fixed.
+    double heldLength(std::size_t p) const
+    {
+        double length = 0;
+        for (std::size_t k = 0; k < piece(p).border.size(); ++k)
+            if (const EdgeMate& mate = piece(p).mates[k]; mate.none() || !isThere(mate.piece))
+                length += (formPoint(p, piece(p).after(k)) - formPoint(p, k)).norm();
+        return length;
     }
 
     void adviseOnHolding()
     {
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
-            if (m_closed[p] && isThere(p)) {
+            if (isClosed(p) && isThere(p)) {
                 m_result.advice.push_back(
                     {QT_TRANSLATE_NOOP("Message",
                                        "What is closed all around has no border to be held at: its cover is "
                                        "fixed along its seams. Delete the fixations of those that are to "
                                        "be free"),
                      {}});
-                return;
+                break;
             }
+        adviseOnSmallHoles();
+    }
+
+    /// What hangs at one of them stands in no way as the form does.
+    void adviseOnSmallHoles()
+    {
+        struct Group {
+            std::string name;
+            double area = 0, held = 0; // mm^2, mm
+        };
+        std::map<int, Group> groups;
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
+            if (!isThere(p) || isClosed(p))
+                continue;
+            Group& group = groups.try_emplace(m_group[p], Group{piece(p).name}).first->second;
+            group.area += areaOf(p);
+            group.held += heldLength(p);
+        }
+        for (const auto& [number, group] : groups)
+            if (group.held < leastHeld * std::sqrt(group.area))
+                m_result.advice.push_back(
+                    {QT_TRANSLATE_NOOP("Message", "%1, with what is sewn to it, is held only at a border of %2 mm: "
+                                                  "fix it along other curves, too, or close that hole of the form"),
+                     {group.name, numberText(group.held, 2)}});
     }
 
     /// mm, to a tenth: edges with which the smallest piece of these has a shape.
@@ -535,11 +585,11 @@ private:
               numberText(std::ceil(least), 6)}});
     }
 
-    BSpline2 curveOf(const std::vector<Vec2>& row) const
+    static BSpline2 curveOf(const std::vector<Vec2>& row, double tolerance)
     {
-        if (isStraight(row, m_order.tolerance / 4))
+        if (isStraight(row, tolerance / 4))
             return edits::polyline({row.front(), row.back()}, 3, 0, 1);
-        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), m_order.tolerance);
+        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), tolerance);
         std::vector<Vec2> points;
         for (const Vec3& point : fitted.points())
             points.emplace_back(point.head<2>());
@@ -589,7 +639,7 @@ private:
             addFixation(p, row, r);
         else if (std::pair(row.matePiece, row.mateRow) >= std::pair(static_cast<int>(p), static_cast<int>(r))) {
             addSeam(p, row, r);
-            if (m_closed[p])
+            if (isClosed(p))
                 addFixation(p, row, r);
         }
     }
@@ -773,7 +823,8 @@ private:
     edits::Names<FixationCurve> m_names{Design()};
     FormPattern m_result;
     ElementId m_fabric = noElement;
-    std::vector<bool> m_closed;                // of each piece: nothing of what hangs together with it has a border
+    std::vector<int> m_group;                  // of each piece: the one that it hangs together with
+    std::vector<bool> m_open;                  // of each group: it has a border
     std::vector<PieceCurves> m_outlines;       // of each piece
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;

@@ -4,6 +4,8 @@
 #include "Design.h"
 #include "Flatten.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 /// Where the grain line of the pieces goes.
@@ -43,6 +45,9 @@ struct FormPattern {
     static constexpr double manyVertices = 60'000;
 
     std::vector<Message> advice; ///< why its cover will not be like the form, and what to do about that
+
+    /// All is left out.
+    bool isEmpty() const { return std::ranges::count(patches, noElement) == std::ssize(patches); }
 };
 
 /// Each piece becomes a patch with corners where its seams meet and where its outline turns sharply; each row of

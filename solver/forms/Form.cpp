@@ -53,8 +53,6 @@ public:
         for (int round = 0; goesOn() && cutRingsOpen(round); ++round)
             fallApart();
         giveNames();
-        if (!m_form.refused.empty())
-            m_form.undivided = m_form.pieces;
         if (m_stop.stop_requested() || !m_form.problem.empty())
             m_form.pieces.clear();
         m_form.points = std::move(m_welded.points);
@@ -319,26 +317,25 @@ private:
     {
         bool cut = false;
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
-            const FormPiece& piece = m_form.pieces[p];
+            FormPiece& piece = m_form.pieces[p];
             const std::size_t loops = m_loops[p].size();
             if (loops == 0) {
-                refuse(p,
-                       QT_TRANSLATE_NOOP("Message", "%1 is closed all around and cannot be laid flat: divide it by "
-                                                    "groups or CAD faces, along lines, or where it bends"));
-            } else if (loops > 1) {
-                if (round >= mostCutsOpen)
-                    refuse(p, QT_TRANSLATE_NOOP("Message",
-                                                "%1 has too many holes: close them, or divide it by groups"));
-                else
-                    openRing(piece, m_loops[p]);
+                piece.refusal.key = QT_TRANSLATE_NOOP(
+                    "Message",
+                    "%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines");
+            } else if (loops > 1 && round < mostCutsOpen) {
+                openRing(piece, m_loops[p]);
                 cut = true;
+            } else if (loops > 1) {
+                piece.refusal.key = QT_TRANSLATE_NOOP(
+                    "Message", "%1 is left out: it has too many holes. Close them, or cut it along lines");
             } else if (eulerNumber(piece) != 1) {
-                refuse(p, QT_TRANSLATE_NOOP("Message",
-                                            "%1 has a handle, like a cup, and cannot be laid flat: divide it "
-                                            "by groups or CAD faces, along lines, or where it bends"));
+                piece.refusal.key =
+                    QT_TRANSLATE_NOOP("Message", "%1 is left out: it has a handle, like a cup, and cannot be laid "
+                                                 "flat. Cut it along lines");
             }
         }
-        return cut && m_form.problem.empty();
+        return cut;
     }
 
     static std::ptrdiff_t eulerNumber(const FormPiece& piece)
@@ -401,13 +398,6 @@ private:
         return name.empty() ? "Piece" : name;
     }
 
-    void refuse(std::size_t piece, const char* why)
-    {
-        if (m_form.problem.empty())
-            m_form.problem = {why, {nameOf(piece)}};
-        m_form.refused.push_back(piece);
-    }
-
     void giveNames()
     {
         std::map<std::string, int> used;
@@ -417,6 +407,8 @@ private:
             const bool numbered = times > 1 || (m_welded.names[m_parts[p]].empty() && m_form.pieces.size() > 1);
             m_form.pieces[p].name = numbered ? name + " " + std::to_string(times) : name;
             m_form.pieces[p].part = m_welded.names[m_parts[p]];
+            if (!m_form.pieces[p].isSheet())
+                m_form.pieces[p].refusal.args = {m_form.pieces[p].name};
         }
         if (m_opened > 0 && m_form.problem.empty())
             m_form.notes.push_back(

@@ -57,7 +57,7 @@ struct BorderRow {
     bool isSewn() const { return matePiece >= 0; }
 };
 
-/// A part of the form that is one sheet with one border: it can be laid flat.
+/// A part of the form: one sheet with one border, which can be laid flat, if nothing is said against it.
 struct FormPiece {
     std::string name;
     std::string part;        ///< of the form: its name
@@ -67,6 +67,9 @@ struct FormPiece {
         border; ///< vertices, once around, counter-clockwise; edge k goes from border[k] to the next one
     std::vector<EdgeMate> mates; ///< of each edge of the border
     std::vector<BorderRow> rows; ///< all of the border, from the first edge of a row on
+    Message refusal;             ///< why no cloth lies flat like that: it is closed, has a handle or too many holes
+
+    bool isSheet() const { return refusal.empty(); }
 
     std::size_t after(std::size_t edge) const { return edge + 1 < border.size() ? edge + 1 : 0; }
     std::size_t before(std::size_t edge) const { return edge > 0 ? edge - 1 : border.size() - 1; }
@@ -75,11 +78,8 @@ struct FormPiece {
 struct Form {
     std::vector<Vec3> points; ///< mm, each place once
     std::vector<FormPiece> pieces;
-    std::vector<Message> notes; ///< what was mended: faces turned round, rings cut open ...
-    Message problem;            ///< why there is none; pieces are empty then
-    /// All pieces, where some are the problem: closed all around, with a handle or too many holes; and which.
-    std::vector<FormPiece> undivided;
-    std::vector<std::size_t> refused;
+    std::vector<Message> notes;             ///< what was mended: faces turned round, rings cut open ...
+    Message problem;                        ///< why there is none; pieces are empty then
     std::vector<std::array<int, 2>> opened; ///< points at the ends of edges along which rings were cut open
 };
 
@@ -95,7 +95,8 @@ std::shared_ptr<FormDraft> newFormDraft();
 
 /// Cuts a mesh (mm). Points in the same place are one; triangles without area go; triangles are turned so that
 /// neighbours agree, as most of each sheet have it. A ring is cut open along the shortest way between its borders.
-/// What has no border, or handles as a cup has, is a problem. When stopped there are no pieces and no problem.
+/// What has no border, or handles as a cup has, is refused as a piece. When stopped there are no pieces and no
+/// problem.
 /// With a draft, while a line moves: nearly right, soon. Always the same one for the same form.
 Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop = {},
              FormDraft* draft = nullptr);

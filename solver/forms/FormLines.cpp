@@ -1,6 +1,7 @@
 #include "FormLines.h"
 
 #include "LineEnds.h"
+#include "UnionFind.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -220,13 +221,13 @@ private:
         });
     }
 
-    static Message whyNotCut(const FormLine& line, const CgalMesh& strip, const CgalMesh& form)
+    static Message whyNotCut(const FormLine& line, const CgalMesh& strip, const Vec3& crossing)
     {
         if (const std::optional<Vec3> sharp = selfCrossing(strip))
             return {QT_TRANSLATE_NOOP("Message", "%1 bends too sharply at %2: it is not cut along it"),
                     {line.name, placeText(*sharp)}};
         return {QT_TRANSLATE_NOOP("Message", "The form goes through itself at %2: it is not cut along %1"),
-                {line.name, placeText(selfCrossing(form).value_or(line.points.front()))}};
+                {line.name, placeText(crossing)}};
     }
 
     std::vector<LineRun> runsOf(const FormLine& line, double apart) const
@@ -273,10 +274,41 @@ private:
 
     void cutNow(const FormLine& line, const LineEnds::Joined& joined, const std::stop_token& stop)
     {
-        CgalMesh strip = ribbonAlong(line, joined);
+        const CgalMesh strip = ribbonAlong(line, joined);
+        const std::vector<int> near = trianglesNear(m_soup, strip);
+        if (cutBy(strip, near, stop).isCut)
+            return;
+        // Sheets that go through each other are cut one by one.
+        const std::vector<int> sheetOf = sheetsOfPoints(near);
+        const std::set<int> sheets(sheetOf.begin(), sheetOf.end());
+        std::optional<Vec3> crossing;
+        bool isCut = false;
+        for (const int sheet : sheets) {
+            if (sheet < 0)
+                continue;
+            std::vector<int> own = trianglesNear(m_soup, strip);
+            std::erase_if(own, [&](int t) { return !isOf(sheet, sheetOf, m_soup.triangles[t]); });
+            const Cut cut = cutBy(strip, std::move(own), stop);
+            isCut = isCut || cut.isCut;
+            if (!cut.isCut && !crossing)
+                crossing = cut.crossing;
+        }
+        if (crossing)
+            m_notes.push_back(whyNotCut(line, strip, *crossing));
+        m_lines[m_current].isCut = isCut;
+    }
+
+    /// Along a ribbon; or where the triangles that it meets go through each other.
+    struct Cut {
+        bool isCut = true;
+        Vec3 crossing = Vec3::Zero();
+    };
+
+    Cut cutBy(CgalMesh strip, std::vector<int> triangles, const std::stop_token& stop)
+    {
         LinedMesh near;
         // Where sheets touch in a point when they are taken alone, all of it is.
-        if (!near.build(m_soup, trianglesNear(m_soup, strip)))
+        if (!near.build(m_soup, std::move(triangles)))
             near.build(m_soup, {});
         PartsKept visitor;
         visitor.part = near.part;
@@ -288,13 +320,34 @@ private:
                 CGAL::parameters::edge_is_constrained_map(near.cut).visitor(visitor).throw_on_self_intersection(
                     true));
         } catch (const Pmp::Corefinement::Self_intersection_exception&) {
-            m_notes.push_back(whyNotCut(line, strip, near.mesh));
-            m_lines[m_current].isCut = false;
-            return;
+            return {false, selfCrossing(near.mesh).value_or(fromCgal(*strip.points().begin()))};
         }
         near.renumberEdges();
         near.tidy(); // the next line meets whole triangles
         near.putBack(m_soup);
+        return {};
+    }
+
+    /// Of each point which sheet of these triangles it lies on, none where on none: they have no point in common.
+    std::vector<int> sheetsOfPoints(const std::vector<int>& triangles) const
+    {
+        UnionFind points(static_cast<int>(m_soup.points.size()));
+        for (const int t : triangles)
+            for (const int corner : m_soup.triangles[t])
+                points.join(m_soup.triangles[t][0], corner);
+        std::vector<int> sheets(m_soup.points.size(), -1);
+        for (const int t : triangles)
+            for (const int corner : m_soup.triangles[t])
+                sheets[corner] = points.root(corner);
+        return sheets;
+    }
+
+    /// New points are those of a sheet that has been cut.
+    static bool isOf(int sheet, const std::vector<int>& sheetOf, const std::array<int, 3>& corners)
+    {
+        return std::ranges::all_of(corners, [&](int corner) {
+            return corner < std::ssize(sheetOf) && sheetOf[static_cast<std::size_t>(corner)] == sheet;
+        });
     }
 
     /// Of most of its places, mm, and such a place.

@@ -163,10 +163,11 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
 
 Problems checkSolvable(const Design& design)
 {
-    const Problems problems = checkDesign(design);
-    Problems more = sampleOutlines(usablePart(design, problems)).problems;
-    more.insert(more.begin(), problems.begin(), problems.end());
-    return more;
+    WorkerPool pool(0);
+    std::optional<PreparedSheet> sheet = prepareOnce({design, {}}, pool, {});
+    Problems problems = std::move(sheet->errors);
+    std::ranges::move(sheet->warnings, std::back_inserter(problems));
+    return problems;
 }
 
 } // namespace bolster

@@ -36,7 +36,8 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
                          const std::function<void(int, double)>& progress = {});
 
 /// Everything that is wrong with a design as far as the solver can tell without solving: checkDesign, and what
-/// only shows when stretches are matched (one vertex with two different fixation targets ...).
+/// only shows when stretches are matched (one vertex with two different fixation targets ...) and patches become
+/// triangles (too narrow for their edges).
 Problems checkSolvable(const Design& design);
 
 } // namespace bolster

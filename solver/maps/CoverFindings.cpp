@@ -230,7 +230,7 @@ void findEase(const Design& design, std::vector<Finding>& found)
 {
     design.each<Seam>([&](ElementId id, const Seam& seam) {
         const double ease = seamEase(design, seam);
-        if (ease > mostEase)
+        if (puckers(design, seam))
             found.push_back(
                 {Finding::Kind::Ease,
                  id,

@@ -1,6 +1,6 @@
 // Where forms are cut, and what hangs together then.
-#include "Form.h"
-
+#include "DesignCheck.h"
+#include "FormPattern.h"
 #include "TestForms.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ void expectMatesAgree(const Form& form)
 TEST(Form, FallsApartWhereGroupsMeet)
 {
     const Form form = cutForm(tray(200, 60), {});
-    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(problemOf(form), "");
     ASSERT_EQ(form.pieces.size(), 5u);
     EXPECT_EQ(form.pieces[0].name, "Bottom");
     EXPECT_EQ(sewnEdges(form.pieces[0]), 16) << "all around";
@@ -98,7 +98,7 @@ TEST(Form, TurnsFacesThatAreTheWrongWayRound)
 TEST(Form, ARingIsCutOpenAlongTheShortestWay)
 {
     const Form form = cutForm(ringMesh(100, 100, 150, 40, 10), {});
-    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(problemOf(form), "");
     ASSERT_EQ(form.pieces.size(), 1u);
     EXPECT_EQ(sewnEdges(form.pieces[0]), 20) << "both sides of the cut";
     ASSERT_EQ(form.notes.size(), 1u);
@@ -113,17 +113,65 @@ TEST(Form, ARingIsCutOpenAlongTheShortestWay)
     expectMatesAgree(form);
 }
 
-TEST(Form, WhatHasNoBorderIsRefusedByName)
+TriangleMesh closedBoxNamedBox()
 {
     TriangleMesh mesh =
         sideBySide(tray(200, 60), gridMesh(
                                       4, 4, [](double u, double v) { return Vec3(u * 200, v * 200, 60); }, "Lid"));
-    for (TriangleMesh::Part& part : mesh.parts)
-        part.name = "Box";
     mesh.parts = {{"Box", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+TEST(Form, WhatHasNoBorderIsRefusedByName)
+{
+    const Form form = cutForm(closedBoxNamedBox(), {});
+    ASSERT_EQ(form.pieces.size(), 1u);
+    EXPECT_EQ(form.pieces[0].refusal.english().find("Box is left out: it is closed all around"), 0u)
+        << form.pieces[0].refusal.english();
+}
+
+/// The others become pieces, rings among them too, and patches; it becomes none.
+TEST(Form, WhatIsClosedIsLeftOutAlone)
+{
+    const TriangleMesh mesh = sideBySide(sideBySide(halfPipe(100, 200), closedBoxNamedBox()), ringMesh(80, 60, 50));
     const Form form = cutForm(mesh, {});
-    EXPECT_TRUE(form.pieces.empty());
-    EXPECT_NE(form.problem.english().find("Box is closed all around"), std::string::npos) << form.problem.english();
+    EXPECT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 3u);
+    const FormPattern pattern = formPattern(form, flatten(form, {}), {});
+    for (std::size_t p = 0; p < 3; ++p) {
+        const bool isBox = form.pieces[p].name == "Box";
+        EXPECT_EQ(form.pieces[p].isSheet(), !isBox) << form.pieces[p].name;
+        EXPECT_EQ(pattern.patches[p] == noElement, isBox) << form.pieces[p].name;
+    }
+    ASSERT_EQ(pattern.notes.size(), 1u);
+    EXPECT_NE(pattern.notes[0].english().find("Box is left out"), std::string::npos) << pattern.notes[0].english();
+    EXPECT_FALSE(hasErrors(checkDesign(pattern.design)));
+}
+
+/// A box with a hole of few millimetres that somebody forgot: nothing but its rim would hold the cover.
+TEST(Form, WhatIsHeldAtASmallHoleAloneSaysSo)
+{
+    for (const auto& [share, says] : {std::pair(0.1, true), std::pair(0.9, false)}) {
+        TriangleMesh box = closedBoxNamedBox();
+        const auto last = box.triangles.back(); // of the lid
+        const auto inner = static_cast<std::uint32_t>(box.points.size());
+        box.triangles.pop_back();
+        const Vec3 middle = (box.points[last[0]] + box.points[last[1]] + box.points[last[2]]) / 3;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t next = (k + 1) % 3;
+            box.points.push_back(middle + share * (box.points[last[k]] - middle));
+            box.triangles.push_back({last[k], last[next], inner + next});
+            box.triangles.push_back({last[k], inner + next, inner + k});
+        }
+        box.parts = {{"Box", 0, static_cast<std::uint32_t>(box.triangles.size())}};
+        const Form form = cutForm(box, {true, 30});
+        ASSERT_EQ(form.pieces.size(), 6u);
+        const FormPattern pattern = formPattern(form, flatten(form, {}), {});
+        const bool isSaid = std::ranges::any_of(pattern.advice, [](const Message& advice) {
+            return advice.english().find("is held only at a border of") != std::string::npos;
+        });
+        EXPECT_EQ(isSaid, says) << share;
+    }
 }
 
 TEST(Form, OfNothingThereIsNothing)

@@ -163,4 +163,12 @@ TriangleMesh quartered(const TriangleMesh& mesh)
     return fine;
 }
 
+std::string problemOf(const Form& form)
+{
+    std::string problem = form.problem.english();
+    for (const FormPiece& piece : form.pieces)
+        problem += piece.refusal.english();
+    return problem;
+}
+
 } // namespace bolster::test

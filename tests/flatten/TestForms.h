@@ -1,6 +1,7 @@
 // Forms of which it is known what they look like flat.
 #pragma once
 
+#include "Form.h"
 #include "TriangleMesh.h"
 
 #include <functional>
@@ -32,5 +33,8 @@ struct PrismCrossing {
 PrismCrossing acrossPrism(unsigned corners, double radius, double height, double angle, double off);
 /// Each triangle as four.
 TriangleMesh quartered(const TriangleMesh& mesh);
+
+/// Why it, or a piece of it, cannot be laid flat; "" if it can.
+std::string problemOf(const Form& form);
 
 } // namespace bolster::test

@@ -2,6 +2,7 @@
 // are from the patterns that they were made of. Prints the figures.
 #include "Flatten.h"
 #include "FormPattern.h"
+#include "TestForms.h"
 #include "TestPaths.h"
 #include "TruthForms.h"
 
@@ -90,7 +91,7 @@ struct Figures {
 Figures figuresOf(const TriangleMesh& mesh, const Design& known)
 {
     const Form form = cutForm(mesh, {});
-    EXPECT_TRUE(form.problem.empty()) << form.problem.english();
+    EXPECT_EQ(problemOf(form), "");
     const FormPattern made = formPattern(form, flatten(form, {}), {});
     for (const Message& note : made.notes)
         ADD_FAILURE() << note.english();

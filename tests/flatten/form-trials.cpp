@@ -129,8 +129,8 @@ Trial trial(unsigned number)
 std::string outcome(const Trial& trial, bool solve)
 {
     const Form form = cutForm(trial.prism.mesh(), {false, 30, {trial.line}});
-    if (!form.problem.empty())
-        return "refused: " + form.problem.english();
+    if (const std::string problem = problemOf(form); !problem.empty())
+        return "refused: " + problem;
     FormPatternOrder order;
     order.edgeLength = trial.edge;
     const FormPattern made = formPattern(form, flatten(form, {}), order);

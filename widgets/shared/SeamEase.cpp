@@ -31,7 +31,7 @@ double SeamEase::ratio() const
 
 bool SeamEase::puckers() const
 {
-    return known() && std::abs(difference() - wanted) > mostEase * std::min(a, b);
+    return known() && bolster::puckers(a, b, wanted);
 }
 
 QString SeamEase::differenceText() const

@@ -286,33 +286,42 @@ Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std:
 
 using Json = nlohmann::ordered_json;
 
-Json figuresJson(const FitFigures& figures)
+/// Of what was not asked for there are none.
+Json figuresJson(const FitGoals& goals, const FitFigures& figures)
 {
-    return {{"distance_mm", {{"rms", figures.distanceRms}, {"p95", figures.distanceP95}}},
-            {"covered", figures.covered},
-            {"over_limit", figures.overLimit},
-            {"strain_rms", figures.strainRms},
-            {"pressed", figures.pressed},
-            {"seam_distance_mm", figures.seamRms},
-            {"size_off", figures.sizeMost},
-            {"shape_change_mm", figures.shapeRms},
-            {"seam_difference_mm", figures.sewnMost}};
+    Json json = Json::object();
+    if (!goals.target.empty()) {
+        json["distance_mm"] = {{"rms", figures.distanceRms}, {"p95", figures.distanceP95}};
+        json["covered"] = figures.covered;
+    }
+    json["over_limit"] = figures.overLimit;
+    json["strain_rms"] = figures.strainRms;
+    if (!goals.smooth.empty())
+        json["pressed"] = figures.pressed;
+    if (!goals.seams.empty())
+        json["seam_distance_mm"] = figures.seamRms;
+    if (!goals.sizes.empty())
+        json["size_off"] = figures.sizeMost;
+    json["shape_change_mm"] = figures.shapeRms;
+    json["seam_difference_mm"] = figures.sewnMost;
+    return json;
 }
 
 Json reportOf(const FitOrder& order, const FitResult& result)
 {
+    const auto asJson = [&](const FitFigures& figures) { return figuresJson(order.goals, figures); };
     Json rounds = Json::array(), moved = Json::array();
     for (const FitRound& round : result.rounds)
         rounds.push_back({{"edge_mm", round.edgeLength},
                           {"largest_change_mm", round.largestChange},
-                          {"reached", figuresJson(round.figures)}});
+                          {"reached", asJson(round.figures)}});
     for (std::size_t k = 0; k < order.freedoms.size(); ++k)
         if (const double value = result.values[static_cast<Eigen::Index>(k)]; value != 0)
             moved.push_back({{"name", order.freedoms[k].name},
                              {"element", number(order.freedoms[k].element)},
                              {"change", value}});
-    return {{"before", figuresJson(result.before)},
-            {"after", figuresJson(result.after)},
+    return {{"before", asJson(result.before)},
+            {"after", asJson(result.after)},
             {"largest_change_mm", largestChange(order.freedoms, result.values)},
             {"jumped", result.jumped},
             {"rounds", std::move(rounds)},

@@ -189,8 +189,7 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     const Vec3 size = mesh.boundingBox().sizes();
     printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
                 numberText(size.z(), 3) + " mm large");
-    const bool inOtherUnit = size.maxCoeff() < smallestForm;
-    if (inOtherUnit)
+    if (size.maxCoeff() < smallestForm)
         printError("warning: --unit first: that is small for a cover; " +
                    otherUnitText(size.maxCoeff() / placement.scale));
     ReadForm read;
@@ -210,21 +209,10 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
         return {{}, otherFailure};
     }
     printWarnings(read.form.notes);
-    if (read.form.problem.empty())
-        return read;
-    read.failure = badInput;
-    if (!read.form.refused.empty() && arguments.has("--divide") && inOtherUnit) {
-        printError("error: " + surface.toStdString() + ": it is " + numberText(size.maxCoeff(), 2) +
-                   " mm large, too small to be divided; " + otherUnitText(size.maxCoeff() / placement.scale));
-        return read;
+    if (!read.form.problem.empty()) {
+        printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
+        read.failure = badInput;
     }
-    printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
-    if (!read.form.refused.empty() && arguments.has("--divide"))
-        printError("(pieces less than five edges across are not divided: a shorter --edge lets them be)");
-    else if (!read.form.refused.empty())
-        printError(
-            "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG degrees, "
-            "--along DESIGN along its fixation curves)");
     return read;
 }
 
@@ -265,6 +253,15 @@ double shareLeftOut(const Form& form, const FormPattern& made)
         leftOut += made.patches[p] == noElement ? area : 0;
     }
     return leftOut / std::max(all, 1e-300);
+}
+
+/// Of a form of which nothing can be laid flat.
+void printNoPattern(bool divided)
+{
+    printError("error: none of it can be laid flat, so there is no pattern");
+    printError(divided ? "(pieces less than five edges across are not divided: a shorter --edge lets them be)"
+                       : "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG "
+                         "degrees, --along DESIGN along its fixation curves)");
 }
 
 void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made, bool divided,
@@ -343,8 +340,8 @@ int flattenForm(std::span<const std::string> words)
     }
     printWarnings(made.notes);
     printWarnings(made.advice);
-    if (std::ranges::count(made.patches, noElement) == std::ssize(made.patches)) {
-        printError("error: none of it can be laid flat, so there is no pattern");
+    if (made.isEmpty()) {
+        printNoPattern(arguments.has("--divide"));
         return badInput;
     }
     printPieces(form, flat, made, arguments.has("--divide"), bearableStrain(order.fabric));

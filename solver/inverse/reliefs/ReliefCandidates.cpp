@@ -100,8 +100,8 @@ void addMovesOf(std::vector<ReliefMove>& moves, const Design& design, ElementId 
                          id,
                          middleOf(design, side),
                          {offsetOf(side, 1)},
-                         QT_TRANSLATE_NOOP("Message", "Let out %1 at %2 by %3 mm"),
-                         QT_TRANSLATE_NOOP("Message", "Take in %1 at %2 by %3 mm"),
+                         QT_TRANSLATE_NOOP("Message", "Let out %1 by %3 mm where it is sewn to %2"),
+                         QT_TRANSLATE_NOOP("Message", "Take in %1 by %3 mm where it is sewn to %2"),
                          names});
     }
     if (seam.a.patch != seam.b.patch)
@@ -269,8 +269,8 @@ std::vector<ReliefMove> reliefMoves(const Design& design)
                          id,
                          middleOf(design, fixation.stretch),
                          {offsetOf(fixation.stretch, 1)},
-                         QT_TRANSLATE_NOOP("Message", "Let out %1 at %2 by %3 mm"),
-                         QT_TRANSLATE_NOOP("Message", "Take in %1 at %2 by %3 mm"),
+                         QT_TRANSLATE_NOOP("Message", "Let out %1 by %3 mm where the curve %2 holds it"),
+                         QT_TRANSLATE_NOOP("Message", "Take in %1 by %3 mm where the curve %2 holds it"),
                          {nameOf(design, fixation.stretch.patch), curve ? curve->name : std::string()}});
     });
     design.each<Patch>([&](ElementId id, const Patch& patch) {

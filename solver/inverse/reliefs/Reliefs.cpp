@@ -2,6 +2,7 @@
 
 #include "CoverMove.h"
 #include "CoverTeam.h"
+#include "DesignCheck.h"
 #include "EditCheck.h"
 #include "FitGoals.h"
 #include "ReliefCandidates.h"
@@ -59,13 +60,33 @@ struct Best {
     double amount = 0, gain = 0;
 };
 
-/// The smallest amount that gains nearly the most.
-Best bestAmount(StrainCurve& curve, double most)
+bool anySeamPuckers(const Design& before, const Design& after)
+{
+    bool any = false;
+    before.each<Seam>([&](ElementId id, const Seam& seam) {
+        const auto* now = after.find<Seam>(id);
+        any = any || (now && puckers(after, *now) && !puckers(before, seam));
+    });
+    return any;
+}
+
+/// What is left of an amount so that no seam puckers that did not.
+double withoutPuckers(const Design& design, const ReliefMove& move, double amount)
+{
+    constexpr int halvings = 4;
+    for (int k = 0; k < halvings; ++k, amount /= 2)
+        if (!anySeamPuckers(design, withMove(design, move, amount)))
+            return amount;
+    return 0;
+}
+
+/// The smallest amount between two, one on each side of 0, that gains nearly the most.
+Best bestAmount(StrainCurve& curve, double lowest, double highest)
 {
     const double now = curve.energyAt(0);
     std::vector<Best> all;
     for (int k = -amounts; k <= amounts; ++k) {
-        const double amount = most * k / amounts;
+        const double amount = (k < 0 ? -lowest : highest) * k / amounts;
         all.push_back({amount, 1 - curve.energyAt(amount) / now});
     }
     const double gain = std::ranges::max(all, {}, &Best::gain).gain;
@@ -131,7 +152,8 @@ private:
         if (!above && !below)
             return std::nullopt;
         StrainCurve curve(m_now, above ? &*above : nullptr, below ? &*below : nullptr, step);
-        const Best best = bestAmount(curve, m_order.most);
+        const Best best = bestAmount(curve, withoutPuckers(m_input.design, move, -m_order.most),
+                                     withoutPuckers(m_input.design, move, m_order.most));
         if (!(best.gain > 0))
             return std::nullopt;
         Relief relief = reliefOf(m_input.design, move, best.amount);

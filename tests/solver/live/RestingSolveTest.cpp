@@ -1,5 +1,6 @@
+#include "DesignCheck.h"
+#include "PlaneCurves.h"
 #include "TestDesigns.h"
-
 #include "TriangleStrain.h"
 
 #include <gtest/gtest.h>
@@ -169,6 +170,20 @@ TEST(RestingSolve, ConflictingFixationsAreRefusedOrLeftOut)
     EXPECT_EQ(result.status, SolveResult::Status::Solved);
     ASSERT_EQ(result.leftOut.size(), 1u);
     EXPECT_EQ(result.leftOut[0].element, second);
+}
+
+/// A crescent 1.5 mm wide, whose sides cross when they are sampled.
+TEST(RestingSolve, PatchesTooNarrowForTheirEdgesAreFoundBefore)
+{
+    DesignBuilder b(80);
+    b.patch(edits::joined({BSpline2(2, false, {{-100, 0}, {0, 97}, {100, 0}}),
+                           BSpline2(2, false, {{100, 0}, {55, 45}, {10, 49.5}}),
+                           BSpline2(2, false, {{10, 49.5}, {-45, 55}, {-100, 0}})},
+                          nullptr),
+            b.fabric(0.3, 8));
+    EXPECT_FALSE(hasErrors(checkDesign(b.design())));
+    EXPECT_EQ(solveResting(b.design(), {}).status, SolveResult::Status::Failed);
+    EXPECT_TRUE(hasErrors(checkSolvable(b.design())));
 }
 
 TEST(RestingSolve, SolvesWhatIsHeldAtEveryVertex)
