@@ -447,7 +447,7 @@ private:
             common.erase(closest);
             FormSheet both = together(sheets[a], sheets[b]);
             const Form form = formOf(both);
-            if (form.pieces.size() != 1 || !form.opened.empty() || winding(form) > mostWinding ||
+            if (form.pieces.size() != 1 || !form.opened.empty() || windsMore(form, sheets[a], sheets[b]) ||
                 !liesFlat(both, form))
                 continue;
             sheets[a] = std::move(both);
@@ -465,6 +465,13 @@ private:
         }
         std::erase_if(sheets, [](const FormSheet& sheet) { return sheet.triangles.empty(); });
         return sheets;
+    }
+
+    /// Than a piece should: what is long anyway may have what lies beside it.
+    bool windsMore(const Form& both, const FormSheet& one, const FormSheet& other) const
+    {
+        const double now = winding(both);
+        return now > mostWinding && now > std::max(winding(formOf(one)), winding(formOf(other)));
     }
 
     /// mm, of the borders of two neighbours.

@@ -33,7 +33,7 @@ constexpr double rowsWide = 1.5;       // times as wide as high is what lies in 
 constexpr double mostTurned = 0.003; // of a piece's area: narrow triangles beside a cut turn over, and mean nothing
 constexpr double openCut = 0.36;     // mm between the sides of a cut
 constexpr double openWithin = 20;    // mm from its end on
-constexpr double besideCut = 0.02;   // mm: tolerance of outlines so near each other
+constexpr double longerSide = 0.1;   // mm: of what opens
 constexpr double fewestEdges = 4;    // across a piece: with fewer a cover has no shape to speak of
 constexpr std::size_t mostNamed = 3; // pieces in a sentence
 constexpr double crossing = 0.3;     // of a direction's length: less of it lies in a piece that it crosses
@@ -165,6 +165,7 @@ public:
         m_rowWidth = rowWidth();
         findGroups();
         m_outlines.resize(m_form.pieces.size());
+        m_rooms.resize(m_form.pieces.size());
         for (std::size_t p = 0; goesOn(p); ++p)
             makeCurves(p);
         makeSidesEqual(m_form, m_outlines, m_stop);
@@ -226,8 +227,45 @@ private:
     }
 
     /// A cut that needs no room lies edge to edge when the piece is flat, and an outline must not touch itself: its
-    /// sides are drawn apart a little, less towards its end.
+    /// sides are drawn apart a little, less towards its end, and less where it bends, as its outer side becomes
+    /// longer than the inner one.
     void openCuts(std::size_t p)
+    {
+        std::vector<double>& rooms = m_rooms[p];
+        rooms.assign(piece(p).border.size(), openCut);
+        std::vector<Vec2> moves = apartAtCuts(p, rooms);
+        for (std::size_t r = 0; r < piece(p).rows.size(); ++r) {
+            const BorderRow& row = piece(p).rows[r];
+            if (row.matePiece != static_cast<int>(p))
+                continue;
+            const double longer = lengthWith(p, r, moves) - lengthWith(p, row.mateRow, moves);
+            const double room = openCut * std::min(1.0, longerSide / std::max(std::abs(longer), 1e-9));
+            for (std::size_t k = 0; k <= row.count; ++k) {
+                double& there = rooms[(row.first + k) % rooms.size()];
+                there = std::min(there, room);
+            }
+        }
+        moves = apartAtCuts(p, rooms);
+        for (std::size_t k = 0; k < moves.size(); ++k)
+            m_flat[p].at[piece(p).border[k]] += moves[k];
+    }
+
+    /// Of a row, when its places have moved; mm.
+    double lengthWith(std::size_t p, std::size_t r, const std::vector<Vec2>& moves) const
+    {
+        const BorderRow& row = piece(p).rows[r];
+        const auto at = [&](std::size_t k) {
+            const std::size_t place = (row.first + k) % moves.size();
+            return Vec2(flatPoint(p, place) + moves[place]);
+        };
+        double length = 0;
+        for (std::size_t k = 0; k < row.count; ++k)
+            length += (at(k + 1) - at(k)).norm();
+        return length;
+    }
+
+    /// Of each place of the border, for so much room there, mm.
+    std::vector<Vec2> apartAtCuts(std::size_t p, const std::vector<double>& most) const
     {
         const FormPiece& there = piece(p);
         const std::size_t count = there.border.size();
@@ -236,7 +274,7 @@ private:
         std::vector<double> rooms(count, 0);         // and of how much each asks for
         const auto ask = [&](std::size_t k, std::size_t mate, const Vec2& inside) {
             const Vec2 apart = flatPoint(p, k) - flatPoint(p, mate);
-            const double room = openCut * std::min(1.0, toTip[k] / openWithin) - apart.dot(inside);
+            const double room = std::min(most[k], openCut / openWithin * toTip[k]) - apart.dot(inside);
             if (k == mate || room <= 0 || apart.norm() > 2 * openCut)
                 return;
             ways[k] += inside;
@@ -252,16 +290,19 @@ private:
             ask(k, there.after(mate), inside);
             ask(next, mate, inside);
         }
-        for (std::size_t k = 0; k < count; ++k)
-            if (rooms[k] > 0) // where two directions ask, both get it
-                m_flat[p].at[there.border[k]] += ways[k] * rooms[k] / std::max(ways[k].squaredNorm(), 0.5);
+        for (std::size_t k = 0; k < count; ++k) // where two directions ask, both get it
+            ways[k] *= rooms[k] / std::max(ways[k].squaredNorm(), 0.5);
+        return ways;
     }
 
     /// Of a cut that does not open when the piece is flat.
-    bool liesAtOtherSide(std::size_t p, std::size_t edge) const
+    bool liesAtOtherSide(std::size_t p, std::size_t r) const
     {
-        const auto mate = static_cast<std::size_t>(piece(p).mates[edge].edge);
-        return isCutEdge(p, edge) && (flatPoint(p, edge) - flatPoint(p, piece(p).after(mate))).norm() < 2 * openCut;
+        const BorderRow& row = piece(p).rows[r];
+        const std::size_t middle = (row.first + row.count / 2) % piece(p).border.size();
+        return isCutEdge(p, middle) &&
+               (flatPoint(p, middle) - flatPoint(p, piece(p).after(piece(p).mates[middle].edge))).norm() <
+                   2 * openCut;
     }
 
     bool beginsRow(std::size_t p, std::size_t k) const
@@ -346,18 +387,79 @@ private:
         const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
         PieceCurves outline;
         for (std::size_t k = 0; k < count;) {
-            if (beginsRow(p, (start + k) % count))
+            if (beginsRow(p, (start + k) % count)) {
+                outline.shut.push_back(liesAtOtherSide(p, outline.rows.size()));
                 outline.rows.push_back(outline.curves.size());
-            std::vector<Vec2> row{flatPoint(p, (start + k) % count)};
-            const bool atCut = liesAtOtherSide(p, (start + k) % count);
-            do {
+            }
+            const bool shut = outline.shut.back();
+            const std::size_t first = k;
+            do
                 ++k;
-                row.push_back(flatPoint(p, (start + k) % count));
-            } while (k < count && !isCorner(p, (start + k) % count));
-            outline.curves.push_back(
-                curveOf(row, atCut ? std::min(besideCut, m_order.tolerance) : m_order.tolerance));
+            while (k < count && !isCorner(p, (start + k) % count) &&
+                   !(shut && isCorner(p, otherSide(p, (start + k) % count))));
+            std::vector<std::size_t> places;
+            for (std::size_t i = first; i <= k; ++i)
+                places.push_back((start + i) % count);
+            outline.curves.push_back(shut ? besideOtherSide(p, places) : curveOf(flatPoints(p, places)));
         }
         return outline;
+    }
+
+    std::vector<Vec2> flatPoints(std::size_t p, const std::vector<std::size_t>& places) const
+    {
+        std::vector<Vec2> points;
+        for (const std::size_t place : places)
+            points.push_back(flatPoint(p, place));
+        return points;
+    }
+
+    /// Across a cut: the place that was the same one. Of the end of a cut itself.
+    std::size_t otherSide(std::size_t p, std::size_t k) const
+    {
+        return piece(p).after(static_cast<std::size_t>(piece(p).mates[k].edge));
+    }
+
+    /// One curve in the middle for both sides, which lie beside it as far as they are drawn apart: two curves of
+    /// their own would cross.
+    BSpline2 besideOtherSide(std::size_t p, std::vector<std::size_t> places) const
+    {
+        std::vector<std::size_t> others;
+        for (const std::size_t place : places)
+            others.push_back(otherSide(p, place));
+        others.back() = static_cast<std::size_t>(piece(p).mates[piece(p).before(places.back())].edge);
+        const bool isSecond = others.back() < places.front();
+        if (isSecond) {
+            std::ranges::reverse(places);
+            std::ranges::reverse(others);
+        }
+        std::vector<Vec2> middle, beside;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            middle.push_back((flatPoint(p, places[i]) + flatPoint(p, others[i])) / 2);
+            beside.push_back((flatPoint(p, places[i]) - flatPoint(p, others[i])) / 2);
+        }
+        BSpline2 curve = curveOf(middle);
+        const std::vector<double> along = lengthsAlong(middle);
+        const double scale = along.back() / curve.domainEnd();
+        // Near its tip a cut opens within a short way, which wants a knot.
+        const double opened = openWithin / openCut * m_rooms[p][places[places.size() / 2]];
+        if (beside.front().isZero() && opened < along.back())
+            curve = curve.withKnot(opened / scale);
+        if (beside.back().isZero() && opened < along.back())
+            curve = curve.withKnot((along.back() - opened) / scale);
+        std::vector<Vec2> points = curve.points();
+        for (int k = 0; k < curve.pointCount(); ++k)
+            points[k] += between(along, beside, scale * curve.parameterOfPoint(k));
+        const BSpline2 side(curve.degree(), false, std::move(points), curve.knots());
+        return isSecond ? side.reversed() : side;
+    }
+
+    /// What belongs to a length along a row, of what belongs to its points.
+    static Vec2 between(const std::vector<double>& along, const std::vector<Vec2>& values, double length)
+    {
+        const auto after = std::upper_bound(along.begin() + 1, along.end() - 1, length);
+        const auto i = static_cast<std::size_t>(after - along.begin());
+        const double t = std::clamp((length - along[i - 1]) / std::max(along[i] - along[i - 1], 1e-12), 0.0, 1.0);
+        return (1 - t) * values[i - 1] + t * values[i];
     }
 
     void addPatch(std::size_t p)
@@ -585,11 +687,11 @@ private:
               numberText(std::ceil(least), 6)}});
     }
 
-    static BSpline2 curveOf(const std::vector<Vec2>& row, double tolerance)
+    BSpline2 curveOf(const std::vector<Vec2>& row) const
     {
-        if (isStraight(row, tolerance / 4))
+        if (isStraight(row, m_order.tolerance / 4))
             return edits::polyline({row.front(), row.back()}, 3, 0, 1);
-        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), tolerance);
+        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), m_order.tolerance);
         std::vector<Vec2> points;
         for (const Vec3& point : fitted.points())
             points.emplace_back(point.head<2>());
@@ -826,6 +928,7 @@ private:
     std::vector<int> m_group;                  // of each piece: the one that it hangs together with
     std::vector<bool> m_open;                  // of each group: it has a border
     std::vector<PieceCurves> m_outlines;       // of each piece
+    std::vector<std::vector<double>> m_rooms;  // of each place of its border: how far a cut there may open, mm
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;
     Vec2 m_cursor = Vec2::Zero();

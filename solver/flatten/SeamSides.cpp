@@ -150,7 +150,8 @@ private:
     void addCondition(std::size_t p, std::size_t r)
     {
         const BorderRow& row = m_form.pieces[p].rows[r];
-        Condition condition{{p, r}, {}, row.isSewn() && !m_pieces[row.matePiece].curves.empty(), 0};
+        const bool sewn = row.isSewn() && !m_pieces[p].isShut(r) && !m_pieces[row.matePiece].curves.empty();
+        Condition condition{{p, r}, {}, sewn, 0};
         if (condition.sewn) {
             condition.other = {static_cast<std::size_t>(row.matePiece), static_cast<std::size_t>(row.mateRow)};
             if (std::pair(condition.other.piece, condition.other.row) <= std::pair(p, r))

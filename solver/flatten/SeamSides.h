@@ -14,6 +14,9 @@ namespace bolster {
 struct PieceCurves {
     std::vector<BSpline2> curves;
     std::vector<std::size_t> rows; ///< with which curve each of the piece's rows begins, the first one with curve 0
+    std::vector<bool> shut = {}; ///< of each row: it lies beside the one that it is sewn to, and stays where it is
+
+    bool isShut(std::size_t row) const { return row < shut.size() && shut[row]; }
 };
 
 /// Edges of triangles on both sides of a seam are equally long, but smooth curves through their ends are longer

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 namespace bolster::test {
 namespace {
@@ -91,6 +92,23 @@ TEST(FormLines, GoOnToALineThatIsNearAlsoAslantAndFromEndToEnd)
         EXPECT_EQ(form.pieces.size(), pieces);
         for (const Message& note : form.notes)
             ADD_FAILURE() << note.english();
+        expectSound(form);
+    }
+}
+
+/// Their sides lie beside each other all along, and are as good as equally long.
+TEST(FormLines, MayWindInAPlanePiece)
+{
+    for (const auto& [count, turns, first, last] :
+         {std::tuple(300, 0.6, 200, 200), std::tuple(500, 2.5, 220, 40), std::tuple(60, 1.4, 150, 60)}) {
+        FormLine spiral{"Spiral", {}, false};
+        for (int k = 0; k < count; ++k) {
+            const double share = double(k) / (count - 1), away = first + share * (last - first);
+            const double angle = 0.3 + 2 * std::numbers::pi * turns * share;
+            spiral.points.emplace_back(250 + away * std::cos(angle), 250 + away * std::sin(angle), 0);
+        }
+        const Form form = cutAlongLines(plane(), {spiral});
+        ASSERT_EQ(form.pieces.size(), 1u);
         expectSound(form);
     }
 }
