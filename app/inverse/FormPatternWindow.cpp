@@ -128,7 +128,7 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
         say();
     })
 {
-    setWindowTitle(tr("Pattern of a form"));
+    setWindowTitle(tr("From a form"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     keepEnterInNumbers(*this);
@@ -788,6 +788,8 @@ void FormPatternWindow::say()
                  ? tr("%n seams, whose sides are equally long", nullptr, seams)
                  : tr("%n seams, whose sides differ by %1 at most", nullptr, seams).arg(lengthText(widest, 2)));
     sayCover(lines);
+    for (const Message& why : m_made->form.undivided)
+        lines << translated(why);
     const std::vector<Message>& notes = m_made->pattern.notes; // a line for each piece that is left out
     const std::size_t told = notes.size() > mostNotes ? mostNotes - 1 : notes.size();
     for (std::size_t k = 0; k < told; ++k)
@@ -868,7 +870,9 @@ void FormPatternWindow::make()
     const Vec2 offset =
         there.isEmpty() ? Vec2::Zero()
                         : Vec2(there.min().x() - own.min().x(), there.min().y() - besidePattern - own.max().y());
-    const edits::Outcome outcome = edits::paste(rest, writeDesign(m_made->pattern.design), offset);
+    const Design named =
+        again ? edits::withEarlierNames(m_document.design(), m_made->pattern.design) : m_made->pattern.design;
+    const edits::Outcome outcome = edits::paste(rest, writeDesign(named), offset);
     if (outcome.edit.empty()) {
         m_said->setText(translated(outcome.problem));
         return;

@@ -84,7 +84,7 @@ PatternFitWindow::PatternFitWindow(DesignSession& session, Selection& selection,
           [this](FitFound found) { take(std::move(found)); })
     , m_measuring(measurePart, [this](const PartFound& found) { takePart(found); })
 {
-    setWindowTitle(tr("Fit the pattern to a goal"));
+    setWindowTitle(tr("Fit to a goal"));
     setAttribute(Qt::WA_DeleteOnClose);
     m_slider.setSingleShot(true);
     m_slider.setInterval(restOfSlider);

@@ -32,6 +32,8 @@ constexpr std::size_t mostPieces = 100;                           // of what was
 constexpr double exactly = 1e-6;                                  // mm
 constexpr double onEdge = 0.01;                                   // mm
 constexpr double asClose = 1e-4;                                  // of a number: roundoff apart
+constexpr double shorter = 0.99;                                  // times as long: worth another line
+constexpr int roundsOfStraightening = 2;
 constexpr double mostWinding = 4; // of what is joined again; a strip ten times as long as wide has 3.9
 
 /// By points of the form: where it is only cut open it hangs together.
@@ -78,6 +80,13 @@ std::vector<std::vector<Vec3>> slitsOf(const Form& form, std::size_t p)
             rows.push_back({form.points[a], form.points[b]});
     }
     return rows;
+}
+
+/// Nothing else is sewn to it, and nothing is cut into it.
+bool standsAlone(const Form& form, std::size_t p)
+{
+    const auto isOwn = [&](const EdgeMate& mate) { return mate.none() || mate.piece == static_cast<int>(p); };
+    return std::ranges::all_of(form.pieces[p].mates, isOwn) && slitsOf(form, p).empty();
 }
 
 /// What is cut into pieces stays so.
@@ -137,29 +146,33 @@ public:
             return form;
         std::vector<Known> known;
         Form now = divided(form.points, pieces, bad, [&](std::size_t p, const FormSheet& sheet) {
-            const bool alone = std::ranges::all_of(pieces[p].mates, &EdgeMate::none); // it may be put for another
+            const bool alone = standsAlone(form, p); // it may be put for another
             if (std::optional<std::vector<FormSheet>> like = alone ? asBefore(known, sheet) : std::nullopt)
                 return *like;
             std::vector<FormSheet> all = flatPartsOf(betweenCreases(sheet));
-            m_isRough = m_isRough || all.size() >= mostPieces;
-            all = m_isRough ? std::vector{sheet} : joined(std::move(all), false);
+            if (all.size() >= mostPieces) {
+                all = {sheet};
+                m_rough.push_back({sheet, {}});
+                sayRough(pieces[p].name);
+            } else {
+                all = joined(std::move(all), false);
+                for (int round = 0; round < roundsOfStraightening; ++round)
+                    straighten(all);
+            }
             if (alone)
                 known.push_back({sheet, all});
             return all;
         });
-        if (m_isRough) {
+        if (m_divisions == 0) {
             Form same = form;
-            same.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message",
-                                   "Nothing is divided: more than %1 pieces would be needed until they lie "
-                                   "flat. The form is rough, as scans are: smooth it, or fit a cover to it "
-                                   "and take that"),
-                 {std::to_string(mostPieces)}});
+            same.undivided = std::move(m_undivided);
             return same;
         }
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
-            const std::vector<bool> still = badOnes(now, {}, m_limit);
+            std::vector<bool> still = badOnes(now, {}, m_limit);
+            for (std::size_t p = 0; p < still.size(); ++p)
+                still[p] = still[p] && !isRough(sheetOf(now.points, now.pieces[p]));
             const int before = m_divisions;
             if (closeSlits(now, still))
                 continue;
@@ -173,11 +186,12 @@ public:
             return form;
         sayWhatIsLost(now);
         now.notes = form.notes;
+        now.undivided = std::move(m_undivided);
         std::ranges::copy(m_notes, std::back_inserter(now.notes));
         if (m_divisions > 0)
             now.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "What would not lie flat, or be strained by more than the "
-                                              "fabric may be, is divided into more pieces: %1"),
+                                              "fabric may be, is divided, which makes so many pieces more: %1"),
                  {std::to_string(m_divisions)}});
         return now;
     }
@@ -187,6 +201,24 @@ private:
         FormSheet sheet;
         std::vector<FormSheet> parts;
     };
+
+    /// It would need more pieces than anybody sews.
+    void sayRough(const std::string& name)
+    {
+        m_undivided.push_back(
+            {QT_TRANSLATE_NOOP("Message",
+                               "%1 is not divided: more than %2 pieces would be needed until it lies flat. "
+                               "It is rough, as scans are: smooth it, or fit a cover to it and take that"),
+             {name, std::to_string(mostPieces)}});
+    }
+
+    bool isRough(const FormSheet& sheet) const
+    {
+        return std::ranges::any_of(m_rough, [&](const Known& rough) {
+            return rough.sheet.triangles.size() == sheet.triangles.size() &&
+                   std::abs(rough.sheet.area() - sheet.area()) < asClose * sheet.area();
+        });
+    }
 
     /// Parts that are alike, as two arms are, are divided alike, however their triangles lie.
     std::optional<std::vector<FormSheet>> asBefore(const std::vector<Known>& known, const FormSheet& sheet) const
@@ -373,7 +405,8 @@ private:
     {
         std::vector<FormSheet> all;
         for (FormSheet& sheet : sheets)
-            std::ranges::move(flatParts(std::move(sheet)), std::back_inserter(all));
+            if (all.size() < mostPieces)
+                std::ranges::move(flatParts(std::move(sheet)), std::back_inserter(all));
         return all;
     }
 
@@ -381,7 +414,7 @@ private:
     std::vector<FormSheet> flatParts(FormSheet sheet)
     {
         std::vector<FormSheet> waiting{std::move(sheet)}, done;
-        while (!waiting.empty() && done.size() < mostPieces && !m_isRough && !m_stop.stop_requested()) {
+        while (!waiting.empty() && done.size() < mostPieces && !m_stop.stop_requested()) {
             sheet = std::move(waiting.back());
             waiting.pop_back();
             const Form form = formOf(sheet);
@@ -467,10 +500,68 @@ private:
         return sheets;
     }
 
-    /// Than a piece should: what is long anyway may have what lies beside it.
+    /// Seams that go to and fro, along edges of coarse triangles where the form is round, become shorter ones.
+    void straighten(std::vector<FormSheet>& sheets) const
+    {
+        for (const auto& [pair, length] : commonLengths(sheets)) {
+            FormSheet &one = sheets[pair.first], &other = sheets[pair.second];
+            std::optional<std::array<FormSheet, 2>> anew = partedStraight(one, other);
+            if (!anew || m_stop.stop_requested())
+                continue;
+            const Form a = formOf(one), b = formOf(other), c = formOf((*anew)[0]), d = formOf((*anew)[1]);
+            const auto isPiece = [](const Form& form) { return form.pieces.size() == 1 && form.opened.empty(); };
+            if (!isPiece(c) || !isPiece(d) || borderOf(c) + borderOf(d) > shorter * (borderOf(a) + borderOf(b)) ||
+                !liesFlat((*anew)[0], c) || !liesFlat((*anew)[1], d))
+                continue;
+            one = std::move((*anew)[0]);
+            other = std::move((*anew)[1]);
+        }
+    }
+
+    /// Two neighbours, with a smooth line between them but for creases.
+    std::optional<std::array<FormSheet, 2>> partedStraight(const FormSheet& one, const FormSheet& other) const
+    {
+        const Form form = formOf(together(one, other));
+        if (form.pieces.size() != 1 || !slitsOf(form, 0).empty() ||
+            form.pieces[0].triangles.size() != one.triangles.size() + other.triangles.size())
+            return std::nullopt;
+        FormSheet both = sheetOf(form.points, form.pieces[0]);
+        Halves halves;
+        halves.ofTriangles.assign(one.triangles.size(), -1);
+        halves.ofTriangles.resize(both.triangles.size(), 1);
+        halves.ofPoints.resize(both.points.size(), 0);
+        std::vector<double> areas(both.points.size(), 0);
+        for (std::size_t t = 0; t < both.triangles.size(); ++t)
+            for (const int corner : both.triangles[t]) {
+                halves.ofPoints[corner] += both.areaNormal(t).norm() * halves.ofTriangles[t];
+                areas[corner] += both.areaNormal(t).norm();
+            }
+        for (std::size_t v = 0; v < areas.size(); ++v)
+            halves.ofPoints[v] /= std::max(areas[v], 1e-300);
+        auto parts = cutInTwo(std::move(both), halves, crease);
+        if (parts[0].triangles.empty() || parts[1].triangles.empty())
+            return std::nullopt;
+        return parts;
+    }
+
+    /// mm, of a form of one piece.
+    static double borderOf(const Form& form)
+    {
+        const FormPiece& piece = form.pieces.front();
+        double length = 0;
+        for (std::size_t k = 0; k < piece.border.size(); ++k)
+            length += (form.points[piece.points[piece.border[piece.after(k)]]] -
+                       form.points[piece.points[piece.border[k]]])
+                          .norm();
+        return length;
+    }
+
+    /// Than a piece should: what is long anyway may have scraps that lie beside it.
     bool windsMore(const Form& both, const FormSheet& one, const FormSheet& other) const
     {
         const double now = winding(both);
+        if (std::min(one.area(), other.area()) >= m_least)
+            return now > mostWinding;
         return now > mostWinding && now > std::max(winding(formOf(one)), winding(formOf(other)));
     }
 
@@ -503,8 +594,9 @@ private:
     std::stop_token m_stop;
     std::vector<Message> m_notes; // cuts that are not made
     int m_divisions = 0;
-    bool m_isRough = false; // it would need more pieces than anybody sews
-    int m_found = 0;        // pieces that lie flat
+    std::vector<Known> m_rough;       // what is not divided
+    std::vector<Message> m_undivided; // and why
+    int m_found = 0;                  // pieces that lie flat
 };
 
 } // namespace

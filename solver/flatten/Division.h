@@ -16,8 +16,8 @@ using DivisionProgress = std::function<void(int pieces)>;
 /// Divides pieces that are closed all around, have a handle, would lie over themselves or be strained by more than
 /// the fabric bears (in more than a hundredth of their area) when they lie on the form, until there are none, or
 /// they are too small for the edges of the cover. What bends sharply is parted there first. Whatever cuts the form
-/// anyway stays. The form as it is where that is not what is wrong with it, where it is so rough that a hundred
-/// pieces would not do, or when stopped.
+/// anyway stays. A piece stays as it is where it is so rough that a hundred pieces would not do, the form where
+/// that is not what is wrong with it, or when stopped.
 Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop = {},
              const DivisionProgress& progress = {});
 

@@ -166,9 +166,11 @@ public:
         findGroups();
         m_outlines.resize(m_form.pieces.size());
         m_rooms.resize(m_form.pieces.size());
+        m_tolerances.resize(m_form.pieces.size(), m_order.tolerance);
         for (std::size_t p = 0; goesOn(p); ++p)
             makeCurves(p);
         makeSidesEqual(m_form, m_outlines, m_stop);
+        uncross();
         for (std::size_t p = 0; goesOn(p); ++p)
             addPatch(p);
         return m_result.patches;
@@ -363,10 +365,50 @@ private:
             return;
         }
         openCuts(p);
+        fitCurves(p);
+    }
+
+    void fitCurves(std::size_t p)
+    {
         try {
             m_outlines[p] = curvesOf(p);
         } catch (const std::invalid_argument&) { // edges without a length
+            m_outlines[p] = {};
             leaveOut(p);
+        }
+    }
+
+    /// The two sides of a fine tip are curves of their own, and may cross: outlines that do are fitted more
+    /// closely. Then sides are made equal once more.
+    void uncross()
+    {
+        constexpr int most = 2;
+        constexpr double closer = 1.0 / 8;
+        const auto isThere = [&](std::size_t p) { return !m_outlines[p].curves.empty(); };
+        for (int round = 0; round < most; ++round) {
+            bool any = false;
+            for (std::size_t p = 0; goesOn(p); ++p)
+                if (isThere(p) && outlineOf(p).empty()) {
+                    m_tolerances[p] *= closer;
+                    any = true;
+                }
+            if (!any)
+                return;
+            for (std::size_t p = 0; goesOn(p); ++p)
+                if (isThere(p))
+                    fitCurves(p);
+            makeSidesEqual(m_form, m_outlines, m_stop);
+        }
+    }
+
+    /// And where its curves begin. Empty where it is none.
+    BSpline2 outlineOf(std::size_t p, std::vector<double>* starts = nullptr) const
+    {
+        try {
+            BSpline2 outline = edits::joined(m_outlines[p].curves, starts);
+            return outlineProblem(outline) ? BSpline2() : outline;
+        } catch (const std::invalid_argument&) { // edges without a length
+            return {};
         }
     }
 
@@ -400,7 +442,8 @@ private:
             std::vector<std::size_t> places;
             for (std::size_t i = first; i <= k; ++i)
                 places.push_back((start + i) % count);
-            outline.curves.push_back(shut ? besideOtherSide(p, places) : curveOf(flatPoints(p, places)));
+            outline.curves.push_back(shut ? besideOtherSide(p, places)
+                                          : curveOf(flatPoints(p, places), m_tolerances[p]));
         }
         return outline;
     }
@@ -437,7 +480,7 @@ private:
             middle.push_back((flatPoint(p, places[i]) + flatPoint(p, others[i])) / 2);
             beside.push_back((flatPoint(p, places[i]) - flatPoint(p, others[i])) / 2);
         }
-        BSpline2 curve = curveOf(middle);
+        BSpline2 curve = curveOf(middle, m_tolerances[p]);
         const std::vector<double> along = lengthsAlong(middle);
         const double scale = along.back() / curve.domainEnd();
         // Near its tip a cut opens within a short way, which wants a knot.
@@ -469,11 +512,8 @@ private:
             return;
         Patch patch;
         std::vector<double> starts;
-        try {
-            patch.outline = edits::joined(m_outlines[p].curves, &starts);
-        } catch (const std::invalid_argument&) { // edges without a length
-        }
-        if (patch.outline.empty() || outlineProblem(patch.outline)) {
+        patch.outline = outlineOf(p, &starts);
+        if (patch.outline.empty()) {
             leaveOut(p);
             return;
         }
@@ -687,11 +727,11 @@ private:
               numberText(std::ceil(least), 6)}});
     }
 
-    BSpline2 curveOf(const std::vector<Vec2>& row) const
+    static BSpline2 curveOf(const std::vector<Vec2>& row, double tolerance)
     {
-        if (isStraight(row, m_order.tolerance / 4))
+        if (isStraight(row, tolerance / 4))
             return edits::polyline({row.front(), row.back()}, 3, 0, 1);
-        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), m_order.tolerance);
+        const BSpline3 fitted = fitCurve(smoothSamples(row, lengthsAlong(row)), tolerance);
         std::vector<Vec2> points;
         for (const Vec3& point : fitted.points())
             points.emplace_back(point.head<2>());
@@ -928,6 +968,7 @@ private:
     std::vector<int> m_group;                  // of each piece: the one that it hangs together with
     std::vector<bool> m_open;                  // of each group: it has a border
     std::vector<PieceCurves> m_outlines;       // of each piece
+    std::vector<double> m_tolerances;          // of each piece's outline, mm
     std::vector<std::vector<double>> m_rooms;  // of each place of its border: how far a cut there may open, mm
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;

@@ -20,7 +20,6 @@ constexpr double leastHalf = 0.02; // of the area: smoothing may leave next to n
 constexpr std::size_t fewTriangles = 200; // lines follow the edges of so few
 constexpr double nearCorner = 0.15;       // of an edge: a line that crosses it nearer goes through the corner
 constexpr std::array roundsOfSmoothing{30, 8, 0}; // as many as leave something of both halves
-constexpr double sharpBend = 15;                  // degrees
 
 /// Points between others, each once.
 class Between {
@@ -86,7 +85,7 @@ FormSheet refined(const FormSheet& sheet)
 
 /// Points of edges that bend, and part the halves: the line goes along there. How much they bend is said by all
 /// triangles around them, on either side: single ones of a rough form lean anywhere.
-std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofTriangles)
+std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofTriangles, double degrees)
 {
     std::array<std::vector<Vec3>, 2> normals; // mm^2, of the triangles at each point in either half
     normals.fill(std::vector<Vec3>(sheet.points.size(), Vec3::Zero()));
@@ -94,7 +93,7 @@ std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofT
         for (const int corner : sheet.triangles[t])
             normals[ofTriangles[t] < 0 ? 0 : 1][corner] += sheet.areaNormal(t);
     std::vector<bool> on(sheet.points.size(), false);
-    const double bend = std::cos(sharpBend * std::numbers::pi / 180);
+    const double bend = std::cos(degrees * std::numbers::pi / 180);
     eachEdge(halfEdges(sheet.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
         if (last - first != 2 || ofTriangles[first[0].triangle] * ofTriangles[first[1].triangle] >= 0)
             return;
@@ -107,10 +106,10 @@ std::vector<bool> onBends(const FormSheet& sheet, const std::vector<double>& ofT
 }
 
 /// A line with a little of each point's neighbours is not as jagged.
-std::vector<double> smoothed(const FormSheet& sheet, const Halves& halves, int rounds)
+std::vector<double> smoothed(const FormSheet& sheet, const Halves& halves, double bend, int rounds)
 {
     std::vector<double> values = halves.ofPoints;
-    const std::vector<bool> stays = onBends(sheet, halves.ofTriangles);
+    const std::vector<bool> stays = onBends(sheet, halves.ofTriangles, bend);
     for (std::size_t v = 0; v < values.size(); ++v)
         if (stays[v])
             values[v] = 0;
@@ -193,12 +192,12 @@ FormSheet fine(FormSheet sheet, std::size_t triangles)
     return sheet;
 }
 
-std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves)
+std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves, double bend)
 {
     if (sheet.triangles.size() >= fewTriangles)
         for (const int rounds : roundsOfSmoothing) {
             FormSheet cut = sheet;
-            const auto [below, above] = acrossTriangles(cut, smoothed(sheet, halves, rounds));
+            const auto [below, above] = acrossTriangles(cut, smoothed(sheet, halves, bend, rounds));
             std::array<FormSheet, 2> parts{FormSheet{cut.points, below}, FormSheet{cut.points, above}};
             if (std::min(parts[0].area(), parts[1].area()) > leastHalf * sheet.area())
                 return parts;

@@ -9,8 +9,11 @@ namespace bolster {
 /// them.
 FormSheet fine(FormSheet sheet, std::size_t triangles);
 
+/// Degrees: a line goes along edges that bend by more.
+inline constexpr double sharpBend = 15;
+
 /// Along where the halves' numbers change sign: along edges that bend, else smoothly across triangles. Its border
 /// gets no new points. One part is empty where the numbers have one sign.
-std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves);
+std::array<FormSheet, 2> cutInTwo(FormSheet sheet, const Halves& halves, double bend = sharpBend);
 
 } // namespace bolster

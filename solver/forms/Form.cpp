@@ -324,11 +324,11 @@ private:
                     "Message",
                     "%1 is left out: it is closed all around and cannot be laid flat. Cut it along lines");
             } else if (loops > 1 && round < mostCutsOpen) {
-                openRing(piece, m_loops[p]);
+                openRing(p, m_loops[p]);
                 cut = true;
             } else if (loops > 1) {
                 piece.refusal.key = QT_TRANSLATE_NOOP(
-                    "Message", "%1 is left out: it has too many holes. Close them, or cut it along lines");
+                    "Message", "%1 is left out: it has more than %2 holes. Close them, or cut it along lines");
             } else if (eulerNumber(piece) != 1) {
                 piece.refusal.key =
                     QT_TRANSLATE_NOOP("Message", "%1 is left out: it has a handle, like a cup, and cannot be laid "
@@ -346,8 +346,9 @@ private:
     }
 
     /// Along the shortest way from one loop to another one (Dijkstra).
-    void openRing(const FormPiece& piece, const std::vector<std::vector<int>>& loops)
+    void openRing(std::size_t p, const std::vector<std::vector<int>>& loops)
     {
+        const FormPiece& piece = m_form.pieces[p];
         std::vector<std::vector<int>> neighbours(piece.points.size());
         for (const Corners& triangle : piece.triangles)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -378,7 +379,7 @@ private:
                     m_cut.insert({std::min(a, b), std::max(a, b)});
                     m_form.opened.push_back({a, b});
                 }
-                ++m_opened;
+                m_openings.push_back(std::ranges::find(m_pieceOf, static_cast<int>(p)) - m_pieceOf.begin());
                 return;
             }
             for (const int next : neighbours[vertex]) {
@@ -408,13 +409,15 @@ private:
             m_form.pieces[p].name = numbered ? name + " " + std::to_string(times) : name;
             m_form.pieces[p].part = m_welded.names[m_parts[p]];
             if (!m_form.pieces[p].isSheet())
-                m_form.pieces[p].refusal.args = {m_form.pieces[p].name};
+                m_form.pieces[p].refusal.args = {m_form.pieces[p].name, std::to_string(mostCutsOpen)};
         }
-        if (m_opened > 0 && m_form.problem.empty())
+        const auto opened = std::ranges::count_if(
+            m_openings, [&](std::ptrdiff_t triangle) { return m_form.pieces[m_pieceOf[triangle]].isSheet(); });
+        if (opened > 0 && m_form.problem.empty())
             m_form.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "Where a piece would have had a hole or been a ring it is cut "
                                               "and sewn again, number of cuts: %1"),
-                 {std::to_string(m_opened)}});
+                 {std::to_string(opened)}});
     }
 
     WeldedForm m_welded;
@@ -429,7 +432,7 @@ private:
     std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
     std::vector<int> m_parts;                           // of each piece
     std::vector<std::vector<std::vector<int>>> m_loops; // of each piece
-    int m_opened = 0;
+    std::vector<std::ptrdiff_t> m_openings;             // of rings: a triangle of each
     Form m_form;
 };
 

@@ -79,6 +79,7 @@ struct Form {
     std::vector<Vec3> points; ///< mm, each place once
     std::vector<FormPiece> pieces;
     std::vector<Message> notes;             ///< what was mended: faces turned round, rings cut open ...
+    std::vector<Message> undivided;         ///< why pieces stay as they are that were to be divided
     Message problem;                        ///< why there is none; pieces are empty then
     std::vector<std::array<int, 2>> opened; ///< points at the ends of edges along which rings were cut open
 };

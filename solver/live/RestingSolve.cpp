@@ -170,4 +170,20 @@ Problems checkSolvable(const Design& design)
     return problems;
 }
 
+Message tooNarrowForEdges(const Design& design)
+{
+    std::string names;
+    for (const Problem& problem : checkSolvable(design))
+        if (const Patch* patch = design.find<Patch>(problem.element);
+            patch && problem.severity == Severity::Error && problem.field == "outline")
+            names.append(names.empty() ? "" : ", ").append(patch->name);
+    if (names.empty())
+        return {};
+    return {QT_TRANSLATE_NOOP("Message",
+                              "Too narrow for the triangles of the cover, whose edges are %1 mm long, so that "
+                              "it cannot be solved: %2. Make the mesh edges shorter, or join them to what "
+                              "lies beside them"),
+            {numberText(design.settings().edgeLength, 3), names}};
+}
+
 } // namespace bolster

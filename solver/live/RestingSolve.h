@@ -39,5 +39,8 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
 /// only shows when stretches are matched (one vertex with two different fixation targets ...) and patches become
 /// triangles (too narrow for their edges).
 Problems checkSolvable(const Design& design);
+/// Of a pattern that was made: which of its patches are so narrow that no cover can be solved with its mesh edges.
+/// Empty when there is none.
+Message tooNarrowForEdges(const Design& design);
 
 } // namespace bolster

@@ -255,8 +255,25 @@ TEST(Division, ARoughFormIsNotDividedWithoutEnd)
     const Form form = cutForm(rough, {}), same = divided(form, {});
     EXPECT_EQ(same.points, form.points);
     EXPECT_EQ(same.problem, form.problem);
-    ASSERT_EQ(same.notes.size(), form.notes.size() + 1);
-    EXPECT_EQ(same.notes.back().args.front(), "100");
+    EXPECT_EQ(same.notes, form.notes);
+    ASSERT_EQ(same.undivided.size(), 1u);
+    EXPECT_EQ(same.undivided.front().args, (std::vector<std::string>{"Ball", "100"}));
+}
+
+/// What stands beside it is divided nevertheless.
+TEST(Division, ARoughPartStaysAlone)
+{
+    TriangleMesh rough = sphere("Rough");
+    for (std::size_t v = 0; v < rough.points.size(); ++v)
+        rough.points[v] *= 1 + 0.05 * std::sin(static_cast<double>(7 * v * v % 1000));
+    TriangleMesh box = closedBox();
+    for (Vec3& point : box.points)
+        point.x() += 1000;
+    const Form form = divided(cutForm(sideBySide(rough, box), {}), {});
+    ASSERT_EQ(form.undivided.size(), 1u);
+    EXPECT_EQ(form.undivided.front().args.front(), "Rough");
+    EXPECT_EQ(areasOf(form, "Rough").size(), 1u);
+    EXPECT_GE(areasOf(form, "Box").size(), 2u);
 }
 
 /// As two arms, of which each is a mesh of its own.

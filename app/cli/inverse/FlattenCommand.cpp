@@ -10,6 +10,7 @@
 #include "Output.h"
 #include "OutputFiles.h"
 #include "ProgressLine.h"
+#include "RestingSolve.h"
 #include "Solving.h"
 #include "Subcommands.h"
 
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace bolster::cli {
@@ -99,10 +101,13 @@ Fabric fabricOf(const Arguments& arguments)
     Fabric fabric;
     fabric.name = "Fabric";
     std::istringstream words(arguments.path("--fabric").toStdString());
+    std::set<std::string> known;
     for (std::string word; std::getline(words, word, ',');) {
         const std::size_t equals = word.find('=');
         const std::string key = word.substr(0, equals),
                           value = equals == std::string::npos ? "" : word.substr(equals + 1);
+        if (!known.insert(key).second)
+            throw UsageError("--fabric: " + key + " stands there twice");
         if (key == "poisson")
             fabric.poisson = numberIn(value, key, -0.5, 0.5);
         else if (key == "stiffness")
@@ -209,6 +214,7 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
         return {{}, otherFailure};
     }
     printWarnings(read.form.notes);
+    printWarnings(read.form.undivided);
     if (!read.form.problem.empty()) {
         printError("error: " + surface.toStdString() + ": " + read.form.problem.english());
         read.failure = badInput;
@@ -224,7 +230,7 @@ nlohmann::ordered_json reportOf(const Form& form, const std::vector<FlatPiece>& 
             {{"name", form.pieces[p].name},
              {"patch", number(made.patches[p])},
              {"area_mm2", flat[p].area},
-             {"strain", {{"rms", flat[p].strainRms}, {"max", flat[p].strainMost}}},
+             {"strain", {{"rms", flat[p].strainRms}, {"p99", flat[p].strainP99}, {"max", flat[p].strainMost}}},
              {"most_strained_at", {flat[p].strainedAt.x(), flat[p].strainedAt.y(), flat[p].strainedAt.z()}},
              {"turned_over", flat[p].turnedOver}});
     for (const FormSeam& seam : made.seams)
@@ -283,9 +289,10 @@ void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const For
     for (std::size_t p = 0; p < flat.size(); ++p)
         over += made.patches[p] != noElement && flat[p].strainP99 > limit;
     if (const double leftOut = shareLeftOut(form, made); leftOut > 0)
-        printError(
-            "warning: " + numberText(100 * leftOut, 3) + " % of the form's area are left out; " +
-            (divided ? "a shorter --edge lets smaller pieces be divided" : "--divide finds where to divide it"));
+        printError("warning: " + numberText(100 * leftOut, 3) + " % of the form's area are left out" +
+                   (leftOut < countsForNothing ? ""
+                    : divided                  ? "; a shorter --edge lets smaller pieces be divided"
+                                               : "; --divide finds where to divide it"));
     if (over > 0)
         printError("warning: " + counted(over, "piece") + " strained by more than " + percentText(limit, 2) +
                    " in more than a hundredth of the area");
@@ -340,6 +347,9 @@ int flattenForm(std::span<const std::string> words)
     }
     printWarnings(made.notes);
     printWarnings(made.advice);
+    if (!made.isEmpty())
+        if (const Message narrow = tooNarrowForEdges(made.design); !narrow.empty())
+            printWarnings({narrow});
     if (made.isEmpty()) {
         printNoPattern(arguments.has("--divide"));
         return badInput;

@@ -3,6 +3,7 @@
 #include "FreeNames.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
@@ -11,10 +12,30 @@ namespace bolster::edits {
 namespace {
 
 /// Groups of files have "_" where names have spaces.
-std::string stemOf(std::string name)
+std::string spaced(std::string name)
 {
     std::ranges::replace(name, '_', ' ');
-    return withoutNumber(name);
+    return name;
+}
+
+std::string stemOf(std::string name)
+{
+    return withoutNumber(spaced(std::move(name)));
+}
+
+template <class Named>
+void addNames(const Design& design, const Design& made, Edit& edit)
+{
+    std::map<std::string, std::string> names;
+    design.each<Named>([&](ElementId, const Named& named) { names.emplace(spaced(named.name), named.name); });
+    made.each<Named>([&](ElementId id, const Named& named) {
+        const auto known = names.find(spaced(named.name));
+        if (known == names.end() || known->second == named.name)
+            return;
+        Named renamed = named;
+        renamed.name = known->second;
+        edit.changes.push_back({id, made.element(id), makeElement(std::move(renamed))});
+    });
 }
 
 } // namespace
@@ -37,6 +58,14 @@ std::vector<ElementId> earlierPieces(const Design& design, const Design& made)
             earlier.push_back(id);
     });
     return earlier;
+}
+
+Design withEarlierNames(const Design& design, const Design& made)
+{
+    Edit edit;
+    addNames<Patch>(design, made, edit);
+    addNames<FixationCurve>(design, made, edit);
+    return edit.empty() ? made : made.with(edit);
 }
 
 } // namespace bolster::edits

@@ -11,5 +11,7 @@ namespace bolster::edits {
 /// and
 /// "_" as good as a space), and the fixation curves of such names that hold nothing else.
 std::vector<ElementId> earlierPieces(const Design& design, const Design& made);
+/// With the names that patches and curves have there: groups of files have "_" where names have spaces.
+Design withEarlierNames(const Design& design, const Design& made);
 
 } // namespace bolster::edits
