@@ -5926,10 +5926,6 @@
         <translation>Keinen Scan am Bezug ziehen lassen</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>Was nicht flach läge oder stärker gedehnt würde, als der Stoff darf, ist in mehr Teile geteilt: %1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 biegt sich bei %2 zu scharf: Dort wird nicht geschnitten</translation>
     </message>
@@ -5948,10 +5944,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 ist weggelassen: Es ist zu schmal zum Nähen. Verbinden Sie es mit dem, was daneben liegt</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>Nichts wird geteilt: Es wären mehr als %1 Stücke nötig, bis sie flach liegen. Die Form ist rau, wie Scans es sind: Glätten Sie sie, oder passen Sie ihr einen Bezug an und nehmen Sie diesen</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6050,10 +6042,6 @@
         <translation>%1 ist weggelassen: Es ist ringsum geschlossen und lässt sich nicht flach legen. Schneiden Sie es entlang von Linien auf</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>%1 ist weggelassen: Es hat zu viele Löcher. Schließen Sie sie, oder schneiden Sie es entlang von Linien auf</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>%1 ist weggelassen: Es hat einen Henkel wie eine Tasse und lässt sich nicht flach legen. Schneiden Sie es entlang von Linien auf</translation>
     </message>
@@ -6072,6 +6060,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>%1 um %3&#xa0;mm zurücknehmen, wo die Kurve %2 es hält</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>Was nicht flach läge oder stärker gedehnt würde, als der Stoff darf, ist geteilt. Es sind so viele Teile mehr: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>%1 wird nicht geteilt: Es wären mehr als %2 Teile nötig, bis es flach liegt. Es ist rau, wie Scans es sind: Glätten Sie es, oder passen Sie ihm einen Bezug an und nehmen Sie diesen</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>%1 ist weggelassen: Es hat mehr als %2 Löcher. Schließen Sie sie, oder schneiden Sie es entlang von Linien auf</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>Zu schmal für die Dreiecke des Bezugs mit %1 mm langen Kanten, sodass er nicht gerechnet werden kann: %2. Machen Sie die Netzkanten kürzer, oder verbinden Sie sie mit dem, was daneben liegt</translation>
     </message>
 </context>
 <context>
@@ -9528,10 +9532,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>Schnitt einer Form</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>Schnitt &amp;machen</translation>
     </message>
@@ -9804,6 +9804,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>Ihr Bezug wird etwa %1 Netzpunkte haben und wird hier nicht gerechnet: mit Netzkanten von %2 wird er es.</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>Aus einer Form</translation>
     </message>
 </context>
 <context>
@@ -10680,10 +10684,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>Den Schnitt an ein Ziel anpassen</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>Änderungen &amp;übernehmen</translation>
     </message>
@@ -10897,6 +10897,10 @@
     <message>
         <source>What is wished</source>
         <translation>Was gewünscht ist</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>An ein Ziel anpassen</translation>
     </message>
 </context>
 <context>

@@ -5926,10 +5926,6 @@
         <translation>No dejar que ningún escaneo tire de la funda</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>Lo que no quedaría plano, o se estiraría más de lo que admite la tela, se divide en más piezas: %1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 se dobla demasiado en %2: no se corta por ahí</translation>
     </message>
@@ -5948,10 +5944,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 se omite: es demasiado estrecha para coserla. Únala a lo que está al lado</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>No se divide nada: harían falta más de %1 piezas para que queden planas. La forma es rugosa, como lo son los escaneos: alísela, o ajuste una funda a ella y tome esa</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6050,10 +6042,6 @@
         <translation>%1 se omite: está cerrada por todos lados y no se puede aplanar. Córtela a lo largo de líneas</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>%1 se omite: tiene demasiados agujeros. Ciérrelos, o córtela a lo largo de líneas</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>%1 se omite: tiene un asa, como una taza, y no se puede aplanar. Córtela a lo largo de líneas</translation>
     </message>
@@ -6072,6 +6060,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>Meter %1 %3&#xa0;mm donde lo sujeta la curva %2</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>Lo que no quedaría plano, o se estiraría más de lo que admite la tela, se divide. Son tantas piezas más: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>%1 no se divide: harían falta más de %2 piezas para que quede plana. Es rugosa, como lo son los escaneos: alísela, o ajuste una funda a ella y tome esa</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>%1 se omite: tiene más de %2 agujeros. Ciérrelos, o córtela a lo largo de líneas</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>Demasiado estrechas para los triángulos de la funda, cuyas aristas miden %1&#xa0;mm, así que no se puede calcular: %2. Acorte las aristas de malla, o únalas a lo que está al lado</translation>
     </message>
 </context>
 <context>
@@ -9528,10 +9532,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>Patrón de una forma</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>&amp;Hacer el patrón</translation>
     </message>
@@ -9804,6 +9804,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>Su funda tendrá unos %1 vértices, y aquí no se calcula: con aristas de malla de %2, sí.</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>A partir de una forma</translation>
     </message>
 </context>
 <context>
@@ -10680,10 +10684,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>Adaptar el patrón a un objetivo</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>&amp;Aplicar los cambios</translation>
     </message>
@@ -10897,6 +10897,10 @@
     <message>
         <source>What is wished</source>
         <translation>Lo que se desea</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>Adaptar a un objetivo</translation>
     </message>
 </context>
 <context>

@@ -5926,10 +5926,6 @@
         <translation>Ne laisser aucun scan tirer la housse</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>Ce qui ne serait pas à plat, ou serait plus étiré que le tissu ne l’admet, est divisé en davantage de pièces&#x202f;: %1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 se plie trop à %2&#x202f;: il n’y a pas de coupe à cet endroit</translation>
     </message>
@@ -5948,10 +5944,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 est omise&#x202f;: elle est trop étroite pour être cousue. Réunissez-la à ce qui est à côté</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>Rien n’est divisé&#x202f;: il faudrait plus de %1 pièces pour qu’elles soient à plat. La forme est rugueuse, comme le sont les numérisations&#x202f;: lissez-la, ou ajustez-lui une housse et prenez celle-ci</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6050,10 +6042,6 @@
         <translation>%1 est omise&#x202f;: elle est fermée de toutes parts et ne peut être mise à plat. Coupez-la le long de lignes</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>%1 est omise&#x202f;: elle a trop de trous. Bouchez-les, ou coupez-la le long de lignes</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>%1 est omise&#x202f;: elle a une anse, comme une tasse, et ne peut être mise à plat. Coupez-la le long de lignes</translation>
     </message>
@@ -6072,6 +6060,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>Reprendre %1 de %3&#xa0;mm là où la courbe %2 la tient</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>Ce qui ne serait pas à plat, ou serait plus étiré que le tissu ne l’admet, est divisé. Nombre de pièces en plus&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>%1 n’est pas divisée&#x202f;: il faudrait plus de %2 pièces pour qu’elle soit à plat. Elle est rugueuse, comme le sont les numérisations&#x202f;: lissez-la, ou ajustez-lui une housse et prenez celle-ci</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>%1 est omise&#x202f;: elle a plus de %2 trous. Bouchez-les, ou coupez-la le long de lignes</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>Trop étroites pour les triangles de la housse, dont les arêtes mesurent %1&#xa0;mm, si bien qu’elle ne peut être calculée&#x202f;: %2. Raccourcissez les arêtes du maillage, ou réunissez-les à ce qui est à côté</translation>
     </message>
 </context>
 <context>
@@ -9528,10 +9532,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>Patron d’une forme</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>&amp;Faire le patron</translation>
     </message>
@@ -9804,6 +9804,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>Sa housse aura environ %1 sommets et n’est pas calculée ici&#x202f;: avec des arêtes du maillage de %2, elle l’est.</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>D’après une forme</translation>
     </message>
 </context>
 <context>
@@ -10680,10 +10684,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>Ajuster le patron à un objectif</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>&amp;Reprendre les modifications</translation>
     </message>
@@ -10897,6 +10897,10 @@
     <message>
         <source>What is wished</source>
         <translation>Ce qui est souhaité</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>Ajuster à un objectif</translation>
     </message>
 </context>
 <context>

@@ -5926,10 +5926,6 @@
         <translation>Nessuna scansione tira il rivestimento</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>Ciò che non starebbe in piano, o si tenderebbe più di quanto il tessuto consente, è diviso in più pezzi: %1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 si piega troppo in %2: lì non si taglia</translation>
     </message>
@@ -5948,10 +5944,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 viene omesso: è troppo stretto per essere cucito. Unirlo a ciò che gli sta accanto</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>Non si divide nulla: servirebbero più di %1 pezzi perché stiano in piano. La forma è ruvida, come lo sono le scansioni: la si lisci, oppure si adatti a essa un rivestimento e si prenda quello</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6050,10 +6042,6 @@
         <translation>%1 viene omesso: è chiuso tutt’intorno e non si può stendere in piano. Tagliarlo lungo linee</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>%1 viene omesso: ha troppi fori. Chiuderli, o tagliarlo lungo linee</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>%1 viene omesso: ha un manico, come una tazza, e non si può stendere in piano. Tagliarlo lungo linee</translation>
     </message>
@@ -6072,6 +6060,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>Stringi %1 di %3&#xa0;mm dove lo tiene la curva %2</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>Ciò che non starebbe in piano, o si tenderebbe più di quanto il tessuto consente, è diviso. Pezzi in più: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>%1 non viene diviso: servirebbero più di %2 pezzi perché stia in piano. È ruvido, come lo sono le scansioni: lo si lisci, oppure si adatti a esso un rivestimento e si prenda quello</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>%1 viene omesso: ha più di %2 fori. Chiuderli, o tagliarlo lungo linee</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>Troppo stretti per i triangoli del rivestimento, i cui lati misurano %1&#xa0;mm, così che non si può calcolare: %2. Accorciare i lati della mesh, o unirli a ciò che sta loro accanto</translation>
     </message>
 </context>
 <context>
@@ -9528,10 +9532,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>Cartamodello di una forma</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>&amp;Crea il cartamodello</translation>
     </message>
@@ -9804,6 +9804,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>Il suo rivestimento avrà circa %1 vertici e non viene calcolato qui: con lati della mesh di %2 sì.</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>Da una forma</translation>
     </message>
 </context>
 <context>
@@ -10680,10 +10684,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>Adatta il cartamodello a un obiettivo</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>&amp;Applica le modifiche</translation>
     </message>
@@ -10897,6 +10897,10 @@
     <message>
         <source>What is wished</source>
         <translation>Ciò che si desidera</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>Adatta a un obiettivo</translation>
     </message>
 </context>
 <context>

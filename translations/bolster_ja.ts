@@ -5922,10 +5922,6 @@
         <translation>スキャンがカバーを引かないようにする</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>平らにならない所、または生地の許容を超えて伸びる所を分割しました。増えたパーツの数: %1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 は %2 で急に曲がりすぎているため、これに沿って切りません</translation>
     </message>
@@ -5944,10 +5940,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 を除外しました: 縫うには幅が狭すぎます。隣のものと一つにしてください</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>何も分割しません：平らになるまでに %1 個より多くの部品が必要です。形がスキャンのように粗いためです。滑らかにするか、それにカバーを合わせて、そのカバーを使ってください</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6046,10 +6038,6 @@
         <translation>%1 を除外しました: 全周が閉じていて平らに展開できません。線に沿って切ってください</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>%1 を除外しました: 穴が多すぎます。穴をふさぐか、線に沿って切ってください</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>%1 を除外しました: カップのような取っ手があり平らに展開できません。線に沿って切ってください</translation>
     </message>
@@ -6068,6 +6056,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>曲線 %2 が固定する所で %1 を %3&#xa0;mm 詰める</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>平らにならない所、または生地の許容を超えて伸びる所を分割しました。増えたパーツの数: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>%1 は分割しません: 平らになるまでに %2 個より多くのパーツが必要です。スキャンのように粗いためです。滑らかにするか、それにカバーを合わせて、そのカバーを使ってください</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>%1 を除外しました: 穴が %2 個より多くあります。穴をふさぐか、線に沿って切ってください</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>カバーの三角形（辺の長さ %1&#xa0;mm）に対して幅が狭すぎ、カバーを計算できないパーツ: %2。メッシュの辺を短くするか、隣のものと一つにしてください</translation>
     </message>
 </context>
 <context>
@@ -9513,10 +9517,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>形状の型紙</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>型紙を作成(&amp;M)</translation>
     </message>
@@ -9779,6 +9779,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>カバーの頂点は約 %1 個になり、ここでは計算しません: メッシュの辺を %2 にすると計算します。</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>形状から</translation>
     </message>
 </context>
 <context>
@@ -10646,10 +10650,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>型紙を目標に合わせる</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>変更を適用(&amp;T)</translation>
     </message>
@@ -10862,6 +10862,10 @@
     <message>
         <source>What is wished</source>
         <translation>希望する内容</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>目標に合わせる</translation>
     </message>
 </context>
 <context>

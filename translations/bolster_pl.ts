@@ -5930,10 +5930,6 @@
         <translation>Niech żaden skan nie przyciąga pokrowca</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>Co nie leżałoby płasko lub byłoby rozciągnięte bardziej, niż tkanina pozwala, podzielono na więcej kawałków: %1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 zagina się zbyt ostro w %2: nie ma tam cięcia</translation>
     </message>
@@ -5952,10 +5948,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>kawałek %1 pominięto: jest za wąski, aby go zszyć. Połącz go z tym, co leży obok</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>Nic nie zostało podzielone: aby części leżały płasko, potrzeba by ich więcej niż %1. Forma jest chropowata jak skany: wygładź ją albo dopasuj do niej pokrowiec i użyj go</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6054,10 +6046,6 @@
         <translation>kawałek %1 pominięto: jest zamknięty ze wszystkich stron i nie da się rozłożyć na płasko. Przetnij go wzdłuż linii</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>kawałek %1 pominięto: ma zbyt wiele otworów. Zamknij je albo przetnij go wzdłuż linii</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>kawałek %1 pominięto: ma ucho jak filiżanka i nie da się rozłożyć na płasko. Przetnij go wzdłuż linii</translation>
     </message>
@@ -6076,6 +6064,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>Zwęź %1 o %3&#xa0;mm tam, gdzie trzyma go krzywa %2</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>Co nie leżałoby płasko lub byłoby rozciągnięte bardziej, niż tkanina pozwala, podzielono. Liczba dodatkowych kawałków: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>kawałek %1 nie został podzielony: aby leżał płasko, potrzeba by więcej niż %2 części. Jest chropowaty jak skany: wygładź go albo dopasuj do niego pokrowiec i użyj go</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>kawałek %1 pominięto: ma więcej niż %2 otworów. Zamknij je albo przetnij go wzdłuż linii</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>Za wąskie w stosunku do trójkątów pokrowca o krawędziach %1&#xa0;mm, więc nie da się go policzyć: %2. Skróć krawędzie siatki albo połącz je z tym, co leży obok</translation>
     </message>
 </context>
 <context>
@@ -9543,10 +9547,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>Wykrój formy</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>&amp;Utwórz wykrój</translation>
     </message>
@@ -9829,6 +9829,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>Jego pokrowiec będzie mieć około %1 wierzchołków i nie jest tu liczony: z krawędziami siatki %2 będzie.</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>Z formy</translation>
     </message>
 </context>
 <context>
@@ -10714,10 +10718,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>Dopasuj wykrój do celu</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>&amp;Przejmij zmiany</translation>
     </message>
@@ -10932,6 +10932,10 @@
     <message>
         <source>What is wished</source>
         <translation>Czego się oczekuje</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>Dopasuj do celu</translation>
     </message>
 </context>
 <context>

@@ -5922,10 +5922,6 @@
         <translation>不让任何扫描拉动面套</translation>
     </message>
     <message>
-        <source>What would not lie flat, or be strained by more than the fabric may be, is divided into more pieces: %1</source>
-        <translation>无法展平或拉伸超过面料允许值的部分已划分，增加的样片数：%1</translation>
-    </message>
-    <message>
         <source>%1 bends too sharply at %2: it is not cut along it</source>
         <translation>%1 在 %2 处弯折过急：不沿其切分</translation>
     </message>
@@ -5944,10 +5940,6 @@
     <message>
         <source>%1 is left out: it is too narrow to be sewn. Join it to what lies beside it</source>
         <translation>%1 被略去：太窄，无法缝制。请将其与相邻部分合并</translation>
-    </message>
-    <message>
-        <source>Nothing is divided: more than %1 pieces would be needed until they lie flat. The form is rough, as scans are: smooth it, or fit a cover to it and take that</source>
-        <translation>未作任何分割：要使各片平展，需要超过 %1 片。该形体像扫描一样粗糙：请将其平滑，或为其拟合一个面套并采用该面套</translation>
     </message>
     <message>
         <source>Make the pattern of a form again</source>
@@ -6046,10 +6038,6 @@
         <translation>%1 被略去：其四周封闭，无法展平。请沿线将其切开</translation>
     </message>
     <message>
-        <source>%1 is left out: it has too many holes. Close them, or cut it along lines</source>
-        <translation>%1 被略去：孔过多。请封闭这些孔，或沿线将其切开</translation>
-    </message>
-    <message>
         <source>%1 is left out: it has a handle, like a cup, and cannot be laid flat. Cut it along lines</source>
         <translation>%1 被略去：其带有杯柄状的环，无法展平。请沿线将其切开</translation>
     </message>
@@ -6068,6 +6056,22 @@
     <message>
         <source>Take in %1 by %3 mm where the curve %2 holds it</source>
         <translation>将 %1 在由曲线 %2 固定处收进 %3 mm</translation>
+    </message>
+    <message>
+        <source>What would not lie flat, or be strained by more than the fabric may be, is divided, which makes so many pieces more: %1</source>
+        <translation>无法展平或拉伸超过面料允许值的部分已划分，增加的样片数：%1</translation>
+    </message>
+    <message>
+        <source>%1 is not divided: more than %2 pieces would be needed until it lies flat. It is rough, as scans are: smooth it, or fit a cover to it and take that</source>
+        <translation>%1 未划分：要使其展平，需要超过 %2 片。它像扫描一样粗糙：请将其平滑，或为其拟合一个面套并采用该面套</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has more than %2 holes. Close them, or cut it along lines</source>
+        <translation>%1 被略去：孔超过 %2 个。请封闭这些孔，或沿线将其切开</translation>
+    </message>
+    <message>
+        <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
+        <translation>相对于面套三角形（边长 %1 mm）过窄，无法求解面套：%2。请减小网格边长，或将其与相邻部分合并</translation>
     </message>
 </context>
 <context>
@@ -9513,10 +9517,6 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message>
-        <source>Pattern of a form</source>
-        <translation>由形体生成样板</translation>
-    </message>
-    <message>
         <source>&amp;Make the pattern</source>
         <translation>生成样板(&amp;M)</translation>
     </message>
@@ -9779,6 +9779,10 @@
     <message>
         <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
         <translation>其面套约有 %1 个顶点，此处不求解：网格边长为 %2 时才求解。</translation>
+    </message>
+    <message>
+        <source>From a form</source>
+        <translation>由形体生成</translation>
     </message>
 </context>
 <context>
@@ -10646,10 +10650,6 @@
 <context>
     <name>bolster::PatternFitWindow</name>
     <message>
-        <source>Fit the pattern to a goal</source>
-        <translation>将样板拟合到目标</translation>
-    </message>
-    <message>
         <source>&amp;Take the changes</source>
         <translation>采用更改(&amp;T)</translation>
     </message>
@@ -10862,6 +10862,10 @@
     <message>
         <source>What is wished</source>
         <translation>期望的结果</translation>
+    </message>
+    <message>
+        <source>Fit to a goal</source>
+        <translation>拟合到目标</translation>
     </message>
 </context>
 <context>

@@ -48,13 +48,14 @@ namespace bolster {
 
 namespace {
 
-constexpr double besidePattern = 100;  // mm
-constexpr double leastBeside = 15;     // mm, and
-constexpr double shareBeside = 0.04;   // of the form's size: a cover that lies so far off is not what was wanted
-constexpr int mostLinesSaid = 9;       // that are seen at once
-constexpr float hiddenLines = 0.25F;   // share of their opacity behind the form
-constexpr std::size_t mostNotes = 5;   // of pieces that are left out
-constexpr std::size_t mostShown = 500; // triangles of what is closed all around
+constexpr double besidePattern = 100;   // mm
+constexpr double leastBeside = 15;      // mm, and
+constexpr double shareBeside = 0.04;    // of the form's size: a cover that lies so far off is not what was wanted
+constexpr int mostLinesSaid = 9;        // that are seen at once
+constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
+constexpr std::size_t mostNotes = 5;    // of pieces that are left out
+constexpr std::size_t mostShown = 1500; // edges of what is left out
+constexpr double seenBend = 12;         // degrees, of such edges
 
 /// Mesh of a frame as it stands in the design, mm.
 std::shared_ptr<const TriangleMesh> placedMesh(const Frame& frame, const std::shared_ptr<const TriangleMesh>& file)
@@ -654,29 +655,36 @@ void FormPatternWindow::showOnForm()
     std::vector<SceneLine> lines;
     const std::size_t count = m_made && m_made->problem.empty() ? m_made->pattern.patches.size() : 0;
     const ViewColors colors = ViewColors::of(palette());
-    const auto add = [&](std::size_t p, const QColor& color, float width) {
-        const FormPiece& piece = m_made->form.pieces[p];
-        const auto addLoop = [&](const auto& vertices) {
-            SceneLine line{{}, color, width, hiddenLines};
-            for (std::size_t k = 0; k <= vertices.size(); ++k) {
-                const Vec3& point = m_made->form.points[piece.points[vertices[k % vertices.size()]]];
-                line.points.push_back(point.cast<float>());
-            }
+    const auto add = [&](const FormPiece& piece, const auto& vertices, const QColor& color, float width) {
+        SceneLine line{{}, color, width, hiddenLines};
+        for (const int vertex : vertices)
+            line.points.push_back(m_made->form.points[piece.points[vertex]].template cast<float>());
+        if (line.points.size() > 1)
             lines.push_back(std::move(line));
-        };
-        if (!piece.border.empty())
-            addLoop(piece.border);
-        else // what is closed all around shows where it is by some of its triangles
-            for (std::size_t t = 0; t < piece.triangles.size(); t += piece.triangles.size() / mostShown + 1)
-                addLoop(piece.triangles[t]);
+    };
+    const auto addBorder = [&](std::size_t p, const QColor& color, float width) {
+        const FormPiece& piece = m_made->form.pieces[p];
+        std::vector<int> around = piece.border;
+        if (!around.empty())
+            around.push_back(around.front());
+        add(piece, around, color, width);
     };
     for (std::size_t p = 0; p < count; ++p)
-        add(p, colors.snap, 1.5F);
-    for (std::size_t p = 0; p < count; ++p) // over those of their neighbours
-        if (m_made->pattern.patches[p] == noElement)
-            add(p, colors.error, 3);
+        addBorder(p, colors.snap, 1.5F);
+    for (std::size_t p = 0; p < count; ++p) { // over those of their neighbours
+        if (m_made->pattern.patches[p] != noElement)
+            continue;
+        addBorder(p, colors.error, 3);
+        const FormPiece& piece = m_made->form.pieces[p]; // what is closed has no border to speak of
+        const std::vector<std::array<int, 2>> edges = bentEdges(m_made->form, piece, seenBend);
+        for (std::size_t k = 0; k < edges.size(); k += edges.size() / mostShown + 1)
+            add(piece, edges[k], colors.error, 1.5F);
+        for (std::size_t t = 0; edges.empty() && t < piece.triangles.size();
+             t += piece.triangles.size() / mostShown + 1)
+            add(piece, piece.triangles[t], colors.error, 1.5F);
+    }
     if (m_view->hovered() && *m_view->hovered() < count)
-        add(*m_view->hovered(), colors.hover, 4);
+        addBorder(*m_view->hovered(), colors.hover, 4);
     m_scene.setGuestLines(std::move(lines));
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -22,9 +23,11 @@ using Triangle = std::array<int, 3>;
 
 constexpr FlattenOrder quickly{0.3, 120, 0.02};
 constexpr int mostRounds = 6;
-constexpr double sewnMore = 0.95;  // of the limit: sewn to each other pieces are strained a little more than alone
-constexpr double crumbEdges = 0.5; // of the cover, across what no crease parts
-constexpr double leastEdges = 5;   // of the cover, across a piece: a smaller one is not divided
+constexpr double sewnMore = 0.95; // of the limit: sewn to each other pieces are strained a little more than alone
+constexpr double straightMore = 1.1;  // times the strain: what a straighter seam may cost,
+constexpr double littleStrain = 0.85; // or up to so much of the limit
+constexpr double crumbEdges = 0.5;    // of the cover, across what no crease parts
+constexpr double leastEdges = 5;      // of the cover, across a piece: a smaller one is not divided
 constexpr std::size_t manyTriangles = 4000, someTriangles = 1000; // of what is divided first, and later on
 constexpr double crease = 50;                                     // degrees
 constexpr std::size_t mostCreased = 40;                           // parts between creases
@@ -144,25 +147,8 @@ public:
             bad[p] = !pieces[p].isSheet() || !liesFlat(formOf(sheetOf(form.points, pieces[p])));
         if (std::ranges::count(bad, true) == 0)
             return form;
-        std::vector<Known> known;
-        Form now = divided(form.points, pieces, bad, [&](std::size_t p, const FormSheet& sheet) {
-            const bool alone = standsAlone(form, p); // it may be put for another
-            if (std::optional<std::vector<FormSheet>> like = alone ? asBefore(known, sheet) : std::nullopt)
-                return *like;
-            std::vector<FormSheet> all = flatPartsOf(betweenCreases(sheet));
-            if (all.size() >= mostPieces) {
-                all = {sheet};
-                m_rough.push_back({sheet, {}});
-                sayRough(pieces[p].name);
-            } else {
-                all = joined(std::move(all), false);
-                for (int round = 0; round < roundsOfStraightening; ++round)
-                    straighten(all);
-            }
-            if (alone)
-                known.push_back({sheet, all});
-            return all;
-        });
+        const std::vector<std::vector<FormSheet>> results = dividedAlike(form, bad);
+        Form now = divided(form.points, pieces, bad, [&](std::size_t p, const FormSheet&) { return results[p]; });
         if (m_divisions == 0) {
             Form same = form;
             same.undivided = std::move(m_undivided);
@@ -197,14 +183,74 @@ public:
     }
 
 private:
-    struct Known {
+    /// Parts that are alike, as two arms are, and what they are divided into.
+    struct Alike {
         FormSheet sheet;
-        std::vector<FormSheet> parts;
+        std::optional<std::vector<FormSheet>> parts; ///< none: it is too rough
+        std::vector<std::size_t> members;            ///< of the pieces
     };
 
-    /// It would need more pieces than anybody sews.
-    void sayRough(const std::string& name)
+    /// Of each piece that is bad its parts. What is alike is divided alike, however its triangles lie: as the one
+    /// of the first two that becomes fewer.
+    std::vector<std::vector<FormSheet>> dividedAlike(const Form& form, const std::vector<bool>& bad)
     {
+        constexpr std::size_t mostTried = 2;
+        std::vector<Alike> all;
+        for (std::size_t p = 0; p < bad.size() && !m_stop.stop_requested(); ++p) {
+            if (!bad[p])
+                continue;
+            FormSheet sheet = sheetOf(form.points, form.pieces[p]);
+            const auto like = !standsAlone(form, p) ? all.end() : std::ranges::find_if(all, [&](const Alike& one) {
+                return standsAlone(form, one.members.front()) && imageBetween(one.sheet, sheet, m_stop);
+            });
+            std::optional<std::vector<FormSheet>> parts;
+            if (like == all.end() || like->members.size() < mostTried)
+                parts = flatPartsOfAll(sheet);
+            if (like == all.end()) {
+                all.push_back({std::move(sheet), std::move(parts), {p}});
+                continue;
+            }
+            like->members.push_back(p);
+            if (parts && (!like->parts || parts->size() < like->parts->size())) {
+                like->sheet = std::move(sheet);
+                like->parts = std::move(parts);
+            }
+        }
+        std::vector<std::vector<FormSheet>> results(bad.size());
+        for (const Alike& one : all)
+            for (const std::size_t p : one.members) {
+                const FormSheet sheet = sheetOf(form.points, form.pieces[p]);
+                results[p] = one.parts ? imagesOf(*one.parts, one.sheet, sheet) : std::vector{sheet};
+                if (!one.parts)
+                    sayRough(form.pieces[p].name, sheet);
+            }
+        return results;
+    }
+
+    std::optional<std::vector<FormSheet>> flatPartsOfAll(const FormSheet& sheet)
+    {
+        std::vector<FormSheet> parts = flatPartsOf(betweenCreases(sheet));
+        if (parts.size() >= mostPieces)
+            return std::nullopt;
+        parts = joined(std::move(parts), false);
+        for (int round = 0; round < roundsOfStraightening; ++round)
+            straighten(parts);
+        return parts;
+    }
+
+    std::vector<FormSheet> imagesOf(std::vector<FormSheet> parts, const FormSheet& from, const FormSheet& to) const
+    {
+        const bool itself = from.points == to.points && from.triangles == to.triangles;
+        if (const auto image = itself ? std::nullopt : imageBetween(from, to, m_stop))
+            for (FormSheet& part : parts)
+                part = image->of(part);
+        return parts;
+    }
+
+    /// It would need more pieces than anybody sews.
+    void sayRough(const std::string& name, const FormSheet& sheet)
+    {
+        m_rough.push_back(sheet);
         m_undivided.push_back(
             {QT_TRANSLATE_NOOP("Message",
                                "%1 is not divided: more than %2 pieces would be needed until it lies flat. "
@@ -214,23 +260,10 @@ private:
 
     bool isRough(const FormSheet& sheet) const
     {
-        return std::ranges::any_of(m_rough, [&](const Known& rough) {
-            return rough.sheet.triangles.size() == sheet.triangles.size() &&
-                   std::abs(rough.sheet.area() - sheet.area()) < asClose * sheet.area();
+        return std::ranges::any_of(m_rough, [&](const FormSheet& rough) {
+            return rough.triangles.size() == sheet.triangles.size() &&
+                   std::abs(rough.area() - sheet.area()) < asClose * sheet.area();
         });
-    }
-
-    /// Parts that are alike, as two arms are, are divided alike, however their triangles lie.
-    std::optional<std::vector<FormSheet>> asBefore(const std::vector<Known>& known, const FormSheet& sheet) const
-    {
-        for (const Known& before : known)
-            if (const std::optional<SheetImage> image = imageBetween(before.sheet, sheet, m_stop)) {
-                std::vector<FormSheet> parts;
-                for (const FormSheet& part : before.parts)
-                    parts.push_back(image->of(part));
-                return parts;
-            }
-        return std::nullopt;
     }
 
     /// With what becomes of those that are bad in their places.
@@ -510,12 +543,24 @@ private:
                 continue;
             const Form a = formOf(one), b = formOf(other), c = formOf((*anew)[0]), d = formOf((*anew)[1]);
             const auto isPiece = [](const Form& form) { return form.pieces.size() == 1 && form.opened.empty(); };
-            if (!isPiece(c) || !isPiece(d) || borderOf(c) + borderOf(d) > shorter * (borderOf(a) + borderOf(b)) ||
-                !liesFlat((*anew)[0], c) || !liesFlat((*anew)[1], d))
+            if (!isPiece(c) || !isPiece(d) || borderOf(c) + borderOf(d) > shorter * (borderOf(a) + borderOf(b)))
+                continue;
+            const double most = std::max(strainOf(a), strainOf(b)), now = std::max(strainOf(c), strainOf(d));
+            if (now > std::min(sewnMore * m_limit, std::max(straightMore * most, littleStrain * m_limit)))
                 continue;
             one = std::move((*anew)[0]);
             other = std::move((*anew)[1]);
         }
+    }
+
+    /// Of a form of one piece: what 99 % of it do not exceed; infinite where it does not lie flat.
+    double strainOf(const Form& form) const
+    {
+        FlattenOrder flattening = quickly;
+        flattening.poisson = m_order.fabric.poisson;
+        const std::vector<FlatPiece> flat = flatten(form, flattening, m_stop);
+        const bool lies = !flat.empty() && becomePatches(form, flat, m_order, m_stop).front();
+        return lies ? flat.front().strainP99 : std::numeric_limits<double>::infinity();
     }
 
     /// Two neighbours, with a smooth line between them but for creases.
@@ -594,7 +639,7 @@ private:
     std::stop_token m_stop;
     std::vector<Message> m_notes; // cuts that are not made
     int m_divisions = 0;
-    std::vector<Known> m_rough;       // what is not divided
+    std::vector<FormSheet> m_rough;   // what is not divided
     std::vector<Message> m_undivided; // and why
     int m_found = 0;                  // pieces that lie flat
 };

@@ -438,6 +438,21 @@ private:
 
 } // namespace
 
+std::vector<std::array<int, 2>> bentEdges(const Form& form, const FormPiece& piece, double degrees)
+{
+    const auto normal = [&](int triangle) {
+        const auto at = [&](int k) { return form.points[piece.points[piece.triangles[triangle][k]]]; };
+        return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    };
+    const double bend = std::cos(degrees * std::numbers::pi / 180);
+    std::vector<std::array<int, 2>> edges;
+    eachEdge(halfEdges(piece.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first == 2 && normal(first[0].triangle).dot(normal(first[1].triangle)) < bend)
+            edges.push_back({first->low, first->high});
+    });
+    return edges;
+}
+
 static FormLine lineOf(const FixationCurve& curve)
 {
     FormLine line{curve.name, {}, curve.curve.closed()};

@@ -87,6 +87,9 @@ struct Form {
 /// A form with more is made simpler first, with a note about how far that is off.
 inline constexpr std::size_t mostFormTriangles = 300'000;
 
+/// Edges inside a piece around which it bends by more than so many degrees, as pairs of vertices: its look.
+std::vector<std::array<int, 2>> bentEdges(const Form& form, const FormPiece& piece, double degrees);
+
 /// The fixation curves of a design, as lines.
 std::vector<FormLine> linesOf(const Design& design);
 
