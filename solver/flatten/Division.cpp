@@ -110,8 +110,8 @@ FormSheet together(FormSheet sheet, const FormSheet& other)
     return sheet;
 }
 
-/// Of a form of one piece: the square of its border's length over that of a disc of its size.
-double winding(const Form& form)
+/// mm, of a form of one piece.
+double borderOf(const Form& form)
 {
     const FormPiece& piece = form.pieces.front();
     double length = 0;
@@ -119,7 +119,14 @@ double winding(const Form& form)
         length +=
             (form.points[piece.points[piece.border[piece.after(k)]]] - form.points[piece.points[piece.border[k]]])
                 .norm();
-    return length * length / (4 * std::numbers::pi * sheetOf(form.points, piece).area());
+    return length;
+}
+
+/// Of a form of one piece: the square of its border's length over that of a disc of its size.
+double winding(const Form& form)
+{
+    const double length = borderOf(form);
+    return length * length / (4 * std::numbers::pi * sheetOf(form.points, form.pieces.front()).area());
 }
 
 class Divider {
@@ -587,18 +594,6 @@ private:
         if (parts[0].triangles.empty() || parts[1].triangles.empty())
             return std::nullopt;
         return parts;
-    }
-
-    /// mm, of a form of one piece.
-    static double borderOf(const Form& form)
-    {
-        const FormPiece& piece = form.pieces.front();
-        double length = 0;
-        for (std::size_t k = 0; k < piece.border.size(); ++k)
-            length += (form.points[piece.points[piece.border[piece.after(k)]]] -
-                       form.points[piece.points[piece.border[k]]])
-                          .norm();
-        return length;
     }
 
     /// Than a piece should: what is long anyway may have scraps that lie beside it.

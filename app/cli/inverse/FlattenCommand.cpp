@@ -165,12 +165,14 @@ std::string otherUnitText(double number)
 
 struct ReadForm {
     Form form;
-    int failure = done; ///< else the exit code; why was said
+    int failure = done;   ///< else the exit code; why was said
+    bool isSmall = false; ///< its unit may be another one, which was said, too
 };
 
 ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& order, const Arguments& arguments,
                 const std::stop_token& stop)
 {
+    ReadForm read;
     ImportedMesh imported;
     {
         ProgressLine line("reading the form");
@@ -194,10 +196,10 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     const Vec3 size = mesh.boundingBox().sizes();
     printResult("the form is " + numberText(size.x(), 3) + " x " + numberText(size.y(), 3) + " x " +
                 numberText(size.z(), 3) + " mm large");
-    if (size.maxCoeff() < smallestForm)
+    read.isSmall = size.maxCoeff() < smallestForm;
+    if (read.isSmall)
         printError("warning: --unit first: that is small for a cover; " +
                    otherUnitText(size.maxCoeff() / placement.scale));
-    ReadForm read;
     {
         ProgressLine line("cutting the form");
         cuts.divides = arguments.has("--divide");
@@ -262,9 +264,11 @@ double shareLeftOut(const Form& form, const FormPattern& made)
 }
 
 /// Of a form of which nothing can be laid flat.
-void printNoPattern(bool divided)
+void printNoPattern(bool divided, bool isSmall)
 {
     printError("error: none of it can be laid flat, so there is no pattern");
+    if (divided && isSmall)
+        return; // shorter edges would not help: its unit is another one
     printError(divided ? "(pieces less than five edges across are not divided: a shorter --edge lets them be)"
                        : "(--divide finds where to divide it, --by angle:DEG cuts where it bends by more than DEG "
                          "degrees, --along DESIGN along its fixation curves)");
@@ -330,7 +334,7 @@ int flattenForm(std::span<const std::string> words)
     Interrupt interrupt;
     if (arguments.has("--along"))
         cuts.lines = linesAlong(arguments.path("--along"));
-    const auto [form, failure] = formOf(surface, std::move(cuts), order, arguments, interrupt.token());
+    const auto [form, failure, isSmall] = formOf(surface, std::move(cuts), order, arguments, interrupt.token());
     if (failure != done)
         return failure;
     std::vector<FlatPiece> flat;
@@ -351,7 +355,7 @@ int flattenForm(std::span<const std::string> words)
         if (const Message narrow = tooNarrowForEdges(made.design); !narrow.empty())
             printWarnings({narrow});
     if (made.isEmpty()) {
-        printNoPattern(arguments.has("--divide"));
+        printNoPattern(arguments.has("--divide"), isSmall);
         return badInput;
     }
     printPieces(form, flat, made, arguments.has("--divide"), bearableStrain(order.fabric));
