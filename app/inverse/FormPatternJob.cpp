@@ -171,7 +171,7 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
         if (!stop.stop_requested())
             made.pattern = formPattern(made.form, made.flat, wanted.order, stop);
         if (!wanted.draft && !stop.stop_requested() && !made.pattern.isEmpty())
-            if (Message narrow = tooNarrowForEdges(made.pattern.design); !narrow.empty())
+            if (Message narrow = tooNarrowForEdges(made.pattern.design, stop); !narrow.empty())
                 made.pattern.advice.push_back(std::move(narrow));
     } catch (const std::exception& error) {
         made.problem = failureMessage(error);

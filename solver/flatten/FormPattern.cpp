@@ -170,7 +170,7 @@ public:
         for (std::size_t p = 0; goesOn(p); ++p)
             makeCurves(p);
         makeSidesEqual(m_form, m_outlines, m_stop);
-        uncross();
+        joinCurves();
         for (std::size_t p = 0; goesOn(p); ++p)
             addPatch(p);
         return m_result.patches;
@@ -247,7 +247,8 @@ private:
                 there = std::min(there, room);
             }
         }
-        moves = apartAtCuts(p, rooms);
+        if (std::ranges::min(rooms) < openCut)
+            moves = apartAtCuts(p, rooms);
         for (std::size_t k = 0; k < moves.size(); ++k)
             m_flat[p].at[piece(p).border[k]] += moves[k];
     }
@@ -378,21 +379,32 @@ private:
         }
     }
 
+    /// An outline, and where the curves begin that it is made of.
+    struct Joined {
+        BSpline2 outline; ///< empty where they make none
+        std::vector<double> starts;
+    };
+
     /// The two sides of a fine tip are curves of their own, and may cross: outlines that do are fitted more
     /// closely. Then sides are made equal once more.
-    void uncross()
+    void joinCurves()
     {
-        constexpr int most = 2;
+        constexpr int mostRefits = 2;
         constexpr double closer = 1.0 / 8;
         const auto isThere = [&](std::size_t p) { return !m_outlines[p].curves.empty(); };
-        for (int round = 0; round < most; ++round) {
-            bool any = false;
-            for (std::size_t p = 0; goesOn(p); ++p)
-                if (isThere(p) && outlineOf(p).empty()) {
+        m_joined.resize(m_form.pieces.size());
+        for (int round = 0;; ++round) {
+            bool cross = false;
+            for (std::size_t p = 0; goesOn(p); ++p) {
+                if (!isThere(p))
+                    continue;
+                m_joined[p] = joined(m_outlines[p]);
+                if (m_joined[p].outline.empty()) {
                     m_tolerances[p] *= closer;
-                    any = true;
+                    cross = true;
                 }
-            if (!any)
+            }
+            if (!cross || round == mostRefits)
                 return;
             for (std::size_t p = 0; goesOn(p); ++p)
                 if (isThere(p))
@@ -401,15 +413,16 @@ private:
         }
     }
 
-    /// And where its curves begin. Empty where it is none.
-    BSpline2 outlineOf(std::size_t p, std::vector<double>* starts = nullptr) const
+    static Joined joined(const PieceCurves& curves)
     {
+        Joined result;
         try {
-            BSpline2 outline = edits::joined(m_outlines[p].curves, starts);
-            return outlineProblem(outline) ? BSpline2() : outline;
+            result.outline = edits::joined(curves.curves, &result.starts);
+            if (outlineProblem(result.outline))
+                result.outline = {};
         } catch (const std::invalid_argument&) { // edges without a length
-            return {};
         }
+        return result;
     }
 
     /// Of a strip: its area by half of its border, mm.
@@ -511,14 +524,13 @@ private:
         if (m_outlines[p].curves.empty())
             return;
         Patch patch;
-        std::vector<double> starts;
-        patch.outline = outlineOf(p, &starts);
+        patch.outline = m_joined[p].outline;
         if (patch.outline.empty()) {
             leaveOut(p);
             return;
         }
         for (const std::size_t curve : m_outlines[p].rows)
-            m_starts[p].push_back(starts[curve]);
+            m_starts[p].push_back(m_joined[p].starts[curve]);
         patch.name = piece(p).name;
         patch.fabric = m_fabric;
         patch.grain = grainOf(p);
@@ -968,6 +980,7 @@ private:
     std::vector<int> m_group;                  // of each piece: the one that it hangs together with
     std::vector<bool> m_open;                  // of each group: it has a border
     std::vector<PieceCurves> m_outlines;       // of each piece
+    std::vector<Joined> m_joined;              // of each piece
     std::vector<double> m_tolerances;          // of each piece's outline, mm
     std::vector<std::vector<double>> m_rooms;  // of each place of its border: how far a cut there may open, mm
     std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline

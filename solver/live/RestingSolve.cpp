@@ -161,19 +161,21 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
     }
 }
 
-Problems checkSolvable(const Design& design)
+Problems checkSolvable(const Design& design, const std::stop_token& stop)
 {
     WorkerPool pool(0);
-    std::optional<PreparedSheet> sheet = prepareOnce({design, {}}, pool, {});
+    std::optional<PreparedSheet> sheet = prepareOnce({design, {}}, pool, stop);
+    if (!sheet)
+        return {};
     Problems problems = std::move(sheet->errors);
     std::ranges::move(sheet->warnings, std::back_inserter(problems));
     return problems;
 }
 
-Message tooNarrowForEdges(const Design& design)
+Message tooNarrowForEdges(const Design& design, const std::stop_token& stop)
 {
     std::string names;
-    for (const Problem& problem : checkSolvable(design))
+    for (const Problem& problem : checkSolvable(design, stop))
         if (const Patch* patch = design.find<Patch>(problem.element);
             patch && problem.severity == Severity::Error && problem.field == "outline")
             names.append(names.empty() ? "" : ", ").append(patch->name);

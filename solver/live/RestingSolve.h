@@ -37,10 +37,10 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
 
 /// Everything that is wrong with a design as far as the solver can tell without solving: checkDesign, and what
 /// only shows when stretches are matched (one vertex with two different fixation targets ...) and patches become
-/// triangles (too narrow for their edges).
-Problems checkSolvable(const Design& design);
+/// triangles (too narrow for their edges). Nothing when stopped.
+Problems checkSolvable(const Design& design, const std::stop_token& stop = {});
 /// Of a pattern that was made: which of its patches are so narrow that no cover can be solved with its mesh edges.
-/// Empty when there is none.
-Message tooNarrowForEdges(const Design& design);
+/// Empty when there is none, or when stopped.
+Message tooNarrowForEdges(const Design& design, const std::stop_token& stop = {});
 
 } // namespace bolster

@@ -345,15 +345,17 @@ int flattenForm(std::span<const std::string> words)
     FormPattern made;
     if (!interrupt.token().stop_requested())
         made = formPattern(form, flat, order, interrupt.token());
+    Message narrow;
+    if (!interrupt.token().stop_requested() && !made.isEmpty())
+        narrow = tooNarrowForEdges(made.design, interrupt.token());
     if (interrupt.token().stop_requested()) {
         printError("error: interrupted");
         return otherFailure;
     }
     printWarnings(made.notes);
     printWarnings(made.advice);
-    if (!made.isEmpty())
-        if (const Message narrow = tooNarrowForEdges(made.design); !narrow.empty())
-            printWarnings({narrow});
+    if (!narrow.empty())
+        printWarnings({narrow});
     if (made.isEmpty()) {
         printNoPattern(arguments.has("--divide"), isSmall);
         return badInput;

@@ -37,29 +37,24 @@ struct Case {
     double edge; ///< mm, for some 50,000 vertices
 };
 
-class CoarseStart : public testing::TestWithParam<Case> {};
-
-/// In fewer iterations; by how many is a matter of rounding, which differs from processor to processor (385 instead
-/// of 424 at least).
-TEST_P(CoarseStart, LeadsWhereMomentumLeadsAlone)
+/// In fewer iterations for each. By how many is a matter of rounding, which differs from processor to processor: so
+/// that is asked of all of them together.
+TEST(CoarseStart, LeadsWhereMomentumLeadsAlone)
 {
-    const Design design = withEdge(sample(GetParam().name), GetParam().edge);
-    const SolveResult one = solve(design, true), several = solve(design, false);
-    ASSERT_EQ(one.status, SolveResult::Status::Solved) << one.reason.english();
-    ASSERT_EQ(several.status, SolveResult::Status::Solved) << several.reason.english();
-    ASSERT_GT(one.surface->positions.size(), 42'000U) << "else there is one level";
-    EXPECT_LT(farthest(*one.surface, *several.surface), 0.2);
-    EXPECT_LT(several.report.iterations, 0.95 * one.report.iterations);
+    int alone = 0, together = 0;
+    for (const Case& each : {Case{"box-cushion", 3.3}, Case{"car-seat", 4.8}, Case{"trapezoid-cushion", 1.9}}) {
+        const Design design = withEdge(sample(each.name), each.edge);
+        const SolveResult one = solve(design, true), several = solve(design, false);
+        ASSERT_EQ(one.status, SolveResult::Status::Solved) << each.name << one.reason.english();
+        ASSERT_EQ(several.status, SolveResult::Status::Solved) << each.name << several.reason.english();
+        ASSERT_GT(one.surface->positions.size(), 42'000U) << each.name << ": else there is one level";
+        EXPECT_LT(farthest(*one.surface, *several.surface), 0.2) << each.name;
+        EXPECT_LT(several.report.iterations, one.report.iterations) << each.name;
+        alone += one.report.iterations;
+        together += several.report.iterations;
+    }
+    EXPECT_LT(together, 0.85 * alone);
 }
-
-INSTANTIATE_TEST_SUITE_P(Samples, CoarseStart,
-                         testing::Values(Case{"box-cushion", 3.3}, Case{"car-seat", 4.8},
-                                         Case{"trapezoid-cushion", 1.9}),
-                         [](const auto& one) {
-                             std::string name = one.param.name;
-                             std::erase(name, '-');
-                             return name;
-                         });
 
 TEST(CoarseStart, IsTheSameOnAnyNumberOfThreads)
 {
