@@ -1,23 +1,12 @@
 // Where a sheet falls into two halves. Private to the library.
 #pragma once
 
-#include "Geometry.h"
+#include "FormSheet.h"
 
-#include <array>
 #include <stop_token>
 #include <vector>
 
 namespace bolster {
-
-/// A part of a form that hangs together.
-struct FormSheet {
-    std::vector<Vec3> points; ///< mm
-    std::vector<std::array<int, 3>> triangles;
-
-    Vec3 areaNormal(std::size_t triangle) const; ///< mm^2
-    Vec3 center(std::size_t triangle) const;
-    double area() const; ///< mm^2
-};
 
 /// Numbers that are negative in one half and positive in the other one.
 struct Halves {

@@ -234,26 +234,6 @@ std::vector<double> atPoints(const FormSheet& sheet, const Eigen::VectorXd& valu
 
 } // namespace
 
-Vec3 FormSheet::areaNormal(std::size_t t) const
-{
-    const auto& [a, b, c] = triangles[t];
-    return (points[b] - points[a]).cross(points[c] - points[a]) / 2;
-}
-
-Vec3 FormSheet::center(std::size_t t) const
-{
-    const auto& [a, b, c] = triangles[t];
-    return (points[a] + points[b] + points[c]) / 3;
-}
-
-double FormSheet::area() const
-{
-    double area = 0;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        area += areaNormal(t).norm();
-    return area;
-}
-
 Halves halvesOf(const FormSheet& sheet, const std::stop_token& stop)
 {
     const Graph graph = graphOf(sheet, stop);
