@@ -64,6 +64,10 @@ QWidget* FitOrderPanel::buildGoals()
     m_form = new FormChoice(m_session, tr("The form that the cover shall lie on"), {}, box);
     m_form->setAccessibleName(tr("Form"));
     connect(m_form, &FormChoice::fileChosen, this, [this] { m_lies->setChecked(true); });
+    connect(m_lies, &QCheckBox::clicked, this, [this](bool wanted) {
+        if (wanted)
+            m_form->asksForFile({});
+    });
     m_strained = new QCheckBox(tr("&Strain is at most"), box);
     m_strained->setToolTip(tr("Along the grain, across it, and in shear; the cover stays where it is"));
     m_limit = new NumberBox({tr(" %"), 2, strainLimit.least, strainLimit.most, 0.5}, box);

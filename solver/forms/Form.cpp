@@ -438,6 +438,14 @@ private:
 
 } // namespace
 
+Box3 Form::boundingBox() const
+{
+    Box3 box;
+    for (const Vec3& point : points)
+        box.extend(point);
+    return box;
+}
+
 std::vector<std::array<int, 2>> bentEdges(const Form& form, const FormPiece& piece, double degrees)
 {
     const auto normal = [&](int triangle) {

@@ -82,6 +82,8 @@ struct Form {
     std::vector<Message> undivided;         ///< why pieces stay as they are that were to be divided
     Message problem;                        ///< why there is none; pieces are empty then
     std::vector<std::array<int, 2>> opened; ///< points at the ends of edges along which rings were cut open
+
+    Box3 boundingBox() const; ///< mm
 };
 
 /// A form with more is made simpler first, with a note about how far that is off.

@@ -158,8 +158,14 @@ QDialog* InverseCommands::formWindow()
 {
     auto* window = new FormPatternWindow(m_parts.session, m_parts.solver, m_parts.cover.shown(), m_formWishes,
                                          &m_parts.window);
+    const auto bringIn = [this](const Box3& where) {
+        CoverNavigation& cover = m_parts.cover.navigation();
+        if (!cover.inPicture(where))
+            cover.fit(where);
+    };
+    connect(window, &FormPatternWindow::fileLaidFlat, this, bringIn);
     connect(window, &FormPatternWindow::patternMade, this,
-            [this](const std::vector<ElementId>& added, const Box3& where) {
+            [this, bringIn](const std::vector<ElementId>& added, const Box3& where) {
                 const Design& design = m_parts.session.document().design();
                 std::set<ElementId> patches; // the points of all curves would hide the cover
                 for (const ElementId id : added)
@@ -170,9 +176,7 @@ QDialog* InverseCommands::formWindow()
                 const PatternTransform before = pattern.transform();
                 pattern.fitAll();
                 m_viewOfStep = std::make_unique<ViewOfStep>(m_parts.session.document(), pattern, before);
-                CoverNavigation& cover = m_parts.cover.navigation();
-                if (!cover.inPicture(where))
-                    cover.fit(where);
+                bringIn(where);
                 m_parts.solver.whenAtRest(this,
                                           [this](const SurfaceMeshPtr&) { // held by nothing it may go elsewhere
                                               const Box3 box = m_parts.cover.shown().selectedBox();

@@ -19,15 +19,15 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace bolster {
 
 class DesignSession;
+class FileChoice;
 class FlatPiecesView;
 class NumberBox;
 class RunningJob;
+class SeamLineList;
 class ShownScene;
 class SolverLink;
 
@@ -56,6 +56,8 @@ public:
     const FormMade* made() const { return m_made && !m_made->draft && m_upToDate ? m_made.get() : nullptr; }
 
 signals:
+    /// The form of a file lies there (mm), with the lines along which it is cut.
+    void fileLaidFlat(const bolster::Box3& where);
     /// These patches were added, and their cover will lie there (mm): they shall be seen.
     void patternMade(const std::vector<bolster::ElementId>& patches, const bolster::Box3& where);
 
@@ -67,29 +69,24 @@ private:
     FormPatternWishes wishes() const;
     std::vector<QCheckBox*> waysToCut() const;
     void fillForms();
-    void fillLines();
-    std::map<quint32, Qt::CheckState> lineStates() const; ///< by their numbers
-    std::vector<QTreeWidgetItem*> lineItems() const;
-    int largestFrame() const;
+    int largestOf(int frames) const;
     void fillFabrics();
-    void chooseFile();
     void formChosen();
+    void tickLines();
     void ask(bool draft);
     void setRunning(bool running);
     void stop();
-    void tickLines(bool ticked);
     void clear();
     void take(FormMade made);
     void say();
-    void sayProblem();
     void showOnForm();
+    void tellOfFile();
     void offerToReplace();
     void sayWhatIsFreed();
     void solveCover();
-    void sayCover(QStringList& lines) const;
     void make();
     void documentChanged();
-    std::vector<FormLine> chosenLines() const;
+    bool isCover() const;
     Fabric fabric() const;
     FormGrain grain() const;
     const Frame* frame() const;
@@ -104,12 +101,12 @@ private:
     SolverLink& m_solver;
     ShownScene& m_scene;
     std::shared_ptr<FormPatternWishes> m_remembered;
-    QComboBox *m_form = nullptr, *m_fabric = nullptr, *m_grain = nullptr;
-    QString m_file;
+    FileChoice* m_form = nullptr;
+    QComboBox *m_fabric = nullptr, *m_grain = nullptr;
     QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr,
               *m_replace = nullptr;
     NumberBox* m_angle = nullptr;
-    QTreeWidget* m_lines = nullptr;
+    SeamLineList* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;
     QLabel *m_said = nullptr, *m_replaceNote = nullptr;
     QPushButton *m_make = nullptr, *m_stop = nullptr;
@@ -126,7 +123,8 @@ private:
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
     bool m_drafted = false;                ///< what was asked for last was a draft
     bool m_upToDate = false;
-    bool m_ofFile = false;                 ///< the form; lines of the design are not ticked for it
+    QString m_shownFile;                   ///< whose form was told to be seen
+    bool m_linesElsewhere = false;         ///< than on the form
     LatestJob<FormWanted, FormMade> m_job; ///< last: they use the others
     LatestJob<FormCoverWanted, FormCover> m_coverJob;
 };

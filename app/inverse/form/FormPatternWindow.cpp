@@ -1,6 +1,5 @@
 #include "FormPatternWindow.h"
 
-#include "Ask.h"
 #include "AssemblyImport.h"
 #include "CopyPaste.h"
 #include "DesignJson.h"
@@ -9,12 +8,15 @@
 #include "EarlierPieces.h"
 #include "ElementEdits.h"
 #include "ElementText.h"
+#include "FileChoice.h"
 #include "FileFormats.h"
 #include "FlatPiecesView.h"
+#include "FormPatternReport.h"
 #include "FramePieces.h"
 #include "Jobs.h"
 #include "NumberBox.h"
 #include "PatternSize.h"
+#include "SeamLineList.h"
 #include "ShownScene.h"
 #include "SolverLink.h"
 #include "Translated.h"
@@ -28,14 +30,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -49,11 +49,8 @@ namespace bolster {
 namespace {
 
 constexpr double besidePattern = 100;   // mm
-constexpr double leastBeside = 15;      // mm, and
-constexpr double shareBeside = 0.04;    // of the form's size: a cover that lies so far off is not what was wanted
 constexpr int mostLinesSaid = 9;        // that are seen at once
 constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
-constexpr std::size_t mostNotes = 5;    // of pieces that are left out
 constexpr std::size_t mostShown = 1500; // edges of what is left out
 constexpr double seenBend = 12;         // degrees, of such edges
 
@@ -79,33 +76,11 @@ std::shared_ptr<const TriangleMesh> meshOf(const SurfaceMesh& surface, const Des
     return mesh;
 }
 
-/// Drawn to be seam lines, and not to hold a cover, or one that was made here.
-std::set<ElementId> linesToCut(const Design& design)
-{
-    std::set<ElementId> lines;
-    design.each<FixationCurve>([&](ElementId id, const FixationCurve&) { lines.insert(id); });
-    design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) { lines.erase(seam.curve); });
-    return lines;
-}
-
 /// Whether two frames have one shape in one place: nothing else of them makes other pieces.
 bool sameShape(const Frame* a, const Frame* b)
 {
     return a && b && a->file == b->file && a->hiddenParts == b->hiddenParts &&
            static_cast<const Placement&>(*a) == static_cast<const Placement&>(*b);
-}
-
-/// Names of curves, with numbers where several have one.
-std::map<ElementId, QString> lineNames(const Design& design)
-{
-    std::map<std::string, int> count, used;
-    design.each<FixationCurve>([&](ElementId, const FixationCurve& curve) { ++count[curve.name]; });
-    std::map<ElementId, QString> names;
-    design.each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
-        const QString name = QString::fromStdString(curve.name);
-        names[id] = count[curve.name] > 1 ? QStringLiteral("%1 (%2)").arg(name).arg(++used[curve.name]) : name;
-    });
-    return names;
 }
 
 } // namespace
@@ -135,7 +110,7 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
     keepEnterInNumbers(*this);
     fillForms();
     fillFabrics();
-    fillLines();
+    m_lines->fill(m_document.design());
     fillIn(*m_remembered);
     connect(&m_document, &Document::changed, this, &FormPatternWindow::documentChanged);
     connect(&m_document, &Document::gestureEnded, this, [this] {
@@ -229,14 +204,10 @@ QLayout* FormPatternWindow::buildProgress()
 QWidget* FormPatternWindow::buildWishes()
 {
     auto* wishes = new QWidget(this);
-    m_form = new QComboBox(wishes);
-    m_form->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_form->setMinimumContentsLength(16);
-    connect(m_form, &QComboBox::activated, this, [this] {
-        if (m_form->currentData().toString() == "file")
-            chooseFile();
-        else if (m_ofFile)
-            tickLines(true);
+    m_form = new FileChoice(m_session, tr("The form to be covered"),
+                            tr("Meshes and CAD files (%1);;All files (*)").arg(patternsOf(FileUse::Frame)), wishes);
+    connect(m_form, &FileChoice::chosenAnew, this, [this] {
+        tickLines();
         formChosen();
     });
     m_fabric = new QComboBox(wishes);
@@ -266,13 +237,8 @@ QWidget* FormPatternWindow::buildWishes()
         if (m_bends->isChecked())
             ask(false);
     });
-    m_lines = new QTreeWidget(wishes);
-    m_lines->setHeaderHidden(true);
-    m_lines->setRootIsDecorated(false);
-    m_lines->setAccessibleName(tr("Seam lines"));
-    m_lines->setToolTip(tr("Fixation curves of the design. Draw seam lines on a frame with the tool for fixation "
-                           "curves: what is drawn meanwhile is cut at once"));
-    connect(m_lines, &QTreeWidget::itemChanged, this, [this] { ask(false); });
+    m_lines = new SeamLineList(wishes);
+    connect(m_lines, &SeamLineList::ticksChanged, this, [this] { ask(false); });
     auto* bend = new QHBoxLayout;
     bend->addWidget(m_bends);
     bend->addWidget(m_angle);
@@ -310,14 +276,13 @@ void FormPatternWindow::fillForms()
         if (m_session.files().meshes.contains(id))
             m_form->addItem(QString::fromStdString(frame.name), number(id));
     });
-    m_form->setCurrentIndex(largestFrame());
+    const int frames = m_form->count();
     if (m_solver.surface() && !m_solver.surface()->positions.empty())
         m_form->addItem(tr("The cover as it is"), "cover");
-    m_form->addItem(tr("A file \u2026"), "file");
-    if (m_form->count() == 1) { // it would look as if it were chosen
-        m_form->setPlaceholderText(tr("Choose a form"));
-        m_form->setCurrentIndex(-1);
-    }
+    const bool isAlone = m_form->count() == 0; // the entry for files would look as if it were chosen
+    m_form->addFiles();
+    m_form->setPlaceholderText(tr("Choose a form"));
+    m_form->chooseRow(isAlone ? -1 : std::max(0, largestOf(frames)));
 }
 
 std::vector<QCheckBox*> FormPatternWindow::waysToCut() const
@@ -330,16 +295,12 @@ void FormPatternWindow::fillIn(const FormPatternWishes& wishes)
 {
     if (!wishes.known)
         return;
-    const bool hasFile = !wishes.file.isEmpty() && QFileInfo::exists(wishes.file);
-    const int form = m_form->findData(wishes.form);
-    if (form >= 0 && (hasFile || wishes.form.toString() != "file")) {
-        m_form->setCurrentIndex(form);
-        if (wishes.form.toString() == "file") {
-            m_file = wishes.file;
-            m_form->setItemText(form, QFileInfo(m_file).fileName());
-            tickLines(false);
-        }
-    }
+    if (QFileInfo::exists(wishes.file))
+        m_form->chooseFile(wishes.file);
+    else if (const int form = m_form->findData(wishes.form); form >= 0 && wishes.file.isEmpty())
+        m_form->chooseRow(form);
+    tickLines();
+    m_lines->setStates(wishes.lines);
     m_fabric->setCurrentIndex(std::max(0, m_fabric->findData(wishes.fabric)));
     m_grain->setCurrentIndex(wishes.grain);
     m_angle->display(wishes.angle);
@@ -348,28 +309,25 @@ void FormPatternWindow::fillIn(const FormPatternWishes& wishes)
         const QSignalBlocker quiet(boxes[k]);
         boxes[k]->setChecked(wishes.ticks[k]);
     }
-    const QSignalBlocker quiet(m_lines);
-    for (QTreeWidgetItem* line : lineItems())
-        if (const auto known = wishes.lines.find(line->data(0, Qt::UserRole).toUInt()); known != wishes.lines.end())
-            line->setCheckState(0, known->second);
 }
 
 FormPatternWishes FormPatternWindow::wishes() const
 {
-    FormPatternWishes wishes{true, m_form->currentData(), m_fabric->currentData(), m_file, m_grain->currentIndex(),
-                             {},   m_angle->value()};
+    FormPatternWishes wishes{
+        true, m_form->currentData(), m_fabric->currentData(), m_form->file(), m_grain->currentIndex(),
+        {},   m_angle->value()};
     for (const QCheckBox* box : waysToCut())
         wishes.ticks.push_back(box->isChecked());
-    wishes.lines = lineStates();
+    wishes.lines = m_lines->states();
     return wishes;
 }
 
 /// Its place among the forms: seldom is a cover made for legs.
-int FormPatternWindow::largestFrame() const
+int FormPatternWindow::largestOf(int frames) const
 {
     int largest = -1;
     double most = -1;
-    for (int row = 0; row < m_form->count(); ++row) {
+    for (int row = 0; row < frames; ++row) {
         const auto id = static_cast<ElementId>(m_form->itemData(row).toUInt());
         const auto* frame = m_document.design().find<Frame>(id);
         const double size = placedMesh(*frame, m_session.files().meshes.at(id))->boundingBox().diagonal().norm();
@@ -390,89 +348,27 @@ void FormPatternWindow::fillFabrics()
         m_fabric->addItem(tr("New fabric"), number(noElement));
 }
 
-/// Lines that are new are ticked. What holds a cover already is beside them, closed up: that may be much.
-void FormPatternWindow::fillLines()
-{
-    const Design& design = m_document.design();
-    const std::set<ElementId> usual = linesToCut(design);
-    const std::map<quint32, Qt::CheckState> before = lineStates();
-    const bool wasOpen =
-        m_lines->topLevelItemCount() > 0 && m_lines->topLevelItem(m_lines->topLevelItemCount() - 1)->isExpanded();
-    const QSignalBlocker quiet(m_lines);
-    m_lines->clear();
-    auto* holding = new QTreeWidgetItem;
-    for (const auto& [id, name] : lineNames(design)) {
-        auto* row = new QTreeWidgetItem(QStringList{name});
-        row->setData(0, Qt::UserRole, number(id));
-        const auto known = before.find(number(id));
-        const Qt::CheckState fresh = usual.contains(id) ? Qt::Checked : Qt::Unchecked;
-        row->setCheckState(0, known == before.end() ? fresh : known->second);
-        if (usual.contains(id))
-            m_lines->addTopLevelItem(row);
-        else
-            holding->addChild(row);
-    }
-    m_lines->setRootIsDecorated(holding->childCount() > 0);
-    if (holding->childCount() == 0) {
-        delete holding;
-        return;
-    }
-    holding->setText(0, tr("%n lines that hold a cover", nullptr, holding->childCount()));
-    holding->setFlags(holding->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
-    m_lines->addTopLevelItem(holding);
-    holding->setExpanded(wasOpen);
-}
-
-std::map<quint32, Qt::CheckState> FormPatternWindow::lineStates() const
-{
-    std::map<quint32, Qt::CheckState> states;
-    for (const QTreeWidgetItem* line : lineItems())
-        states[line->data(0, Qt::UserRole).toUInt()] = line->checkState(0);
-    return states;
-}
-
-/// Not the heading of those that hold a cover.
-std::vector<QTreeWidgetItem*> FormPatternWindow::lineItems() const
-{
-    std::vector<QTreeWidgetItem*> items;
-    for (QTreeWidgetItemIterator each(m_lines); *each; ++each)
-        if ((*each)->data(0, Qt::UserRole).isValid())
-            items.push_back(*each);
-    return items;
-}
-
-void FormPatternWindow::tickLines(bool ticked)
-{
-    m_ofFile = !ticked;
-    const std::set<ElementId> usual = ticked ? linesToCut(m_document.design()) : std::set<ElementId>();
-    const QSignalBlocker quiet(m_lines);
-    for (QTreeWidgetItem* line : lineItems()) {
-        const auto id = static_cast<ElementId>(line->data(0, Qt::UserRole).toUInt());
-        line->setCheckState(0, usual.contains(id) ? Qt::Checked : Qt::Unchecked);
-    }
-}
-
-void FormPatternWindow::chooseFile()
-{
-    askForFile(this, tr("The form to be covered"), usualFolder(m_session.besideFile()),
-               tr("Meshes and CAD files (%1);;All files (*)").arg(patternsOf(FileUse::Frame)),
-               [this](const QString& file) {
-                   m_file = file;
-                   m_form->setItemText(m_form->currentIndex(), QFileInfo(file).fileName());
-                   tickLines(false); // they lie on other forms
-                   formChosen();
-               });
-}
-
 void FormPatternWindow::formChosen()
 {
     clear(); // pieces of another form would look like those of this one
-    if (m_form->currentData().toString() == "cover")
-        tickLines(false); // what holds the cover lies along its borders
     m_meshOf = frameElement();
     m_mesh = mesh();
     m_faces->setVisible(!cadFile().isEmpty());
     ask(false);
+}
+
+/// Not for a form that they do not lie on, or along whose borders they lie.
+void FormPatternWindow::tickLines()
+{
+    const bool elsewhere = isCover() || !m_form->file().isEmpty();
+    if (elsewhere || m_linesElsewhere)
+        m_lines->tick(m_document.design(), !elsewhere);
+    m_linesElsewhere = elsewhere;
+}
+
+bool FormPatternWindow::isCover() const
+{
+    return m_form->currentData().toString() == "cover";
 }
 
 ElementPtr FormPatternWindow::frameElement() const
@@ -493,10 +389,8 @@ bool FormPatternWindow::takeMesh()
 std::shared_ptr<const TriangleMesh> FormPatternWindow::mesh() const
 {
     const QVariant chosen = m_form->currentData();
-    if (chosen.toString() == "cover")
+    if (isCover())
         return meshOf(*m_solver.surface(), m_document.design());
-    if (chosen.toString() == "file")
-        return nullptr;
     const auto file = m_session.files().meshes.find(static_cast<ElementId>(chosen.toUInt()));
     return frame() && file != m_session.files().meshes.end() ? placedMesh(*frame(), file->second) : nullptr;
 }
@@ -510,10 +404,8 @@ const Frame* FormPatternWindow::frame() const
 /// Of which the form is; "" when that is no CAD file, or not there any more.
 QString FormPatternWindow::cadFile() const
 {
-    QString file;
-    if (m_form->currentData().toString() == "file")
-        file = m_file;
-    else if (frame())
+    QString file = m_form->file();
+    if (frame())
         file = m_session.findFile(QString::fromStdString(frame()->file));
     return isCadEnding(endingOf(file)) && QFileInfo::exists(file) ? file : QString();
 }
@@ -533,18 +425,6 @@ FormGrain FormPatternWindow::grain() const
     return ways.at(static_cast<std::size_t>(std::max(0, m_grain->currentIndex())));
 }
 
-std::vector<FormLine> FormPatternWindow::chosenLines() const
-{
-    Design ticked;
-    for (const QTreeWidgetItem* item : lineItems()) {
-        const auto id = static_cast<ElementId>(item->data(0, Qt::UserRole).toUInt());
-        if (item->checkState(0) == Qt::Checked)
-            if (const ElementPtr curve = m_document.design().element(id))
-                ticked = ticked.with({{}, {{id, nullptr, curve}}});
-    }
-    return linesOf(ticked);
-}
-
 void FormPatternWindow::ask(bool draft)
 {
     m_upToDate = false;
@@ -559,20 +439,18 @@ void FormPatternWindow::ask(bool draft)
     }
     m_make->setText(tr("&Make the pattern"));
     m_drawn = m_document.design();
-    const bool file = m_form->currentData().toString() == "file";
-    if (!m_mesh && (!file || m_file.isEmpty())) {
+    if (!m_mesh && m_form->file().isEmpty()) {
         m_job.cancel();
         setRunning(false);
-        m_said->setText(file ? tr("Choose the file of a form.")
-                             : tr("Choose a file with a form above, or import a frame first."));
+        m_said->setText(tr("Choose a file with a form above, or import a frame first."));
         return;
     }
     FormWanted wanted;
     wanted.number = ++m_asked;
     wanted.mesh = m_mesh;
-    wanted.file = m_file;
+    wanted.file = m_form->file();
     wanted.draft = draft;
-    if (file && m_solver.surface())
+    if (!wanted.file.isEmpty() && m_solver.surface())
         for (const Vec3& place : m_solver.surface()->positions)
             wanted.there.extend(place);
     if (frame())
@@ -582,7 +460,7 @@ void FormPatternWindow::ask(bool draft)
     wanted.cuts.groups = m_groups->isChecked();
     if (m_bends->isChecked())
         wanted.cuts.angle = m_angle->value();
-    wanted.cuts.lines = chosenLines();
+    wanted.cuts.lines = m_lines->ticked(m_document.design());
     wanted.divide = m_divide->isChecked();
     wanted.progress = [this, number = wanted.number](int pieces) {
         QMetaObject::invokeMethod(this, [this, number, pieces] {
@@ -640,6 +518,7 @@ void FormPatternWindow::take(FormMade made)
     m_made = std::make_shared<FormMade>(std::move(made));
     m_view->show(m_made->problem.empty() ? m_made : nullptr, bearableStrain(fabric()));
     showOnForm();
+    tellOfFile();
     offerToReplace();
     solveCover();
     const FormPattern& pattern = m_made->pattern;
@@ -647,6 +526,15 @@ void FormPatternWindow::take(FormMade made)
     m_make->setText(whole ? tr("&Make the pattern") : tr("&Make it without what is left out"));
     m_make->setEnabled(this->made() && m_made->problem.empty() && !pattern.isEmpty());
     say();
+}
+
+/// Where nobody has looked yet.
+void FormPatternWindow::tellOfFile()
+{
+    if (m_form->file().isEmpty() || !m_made->problem.empty() ||
+        std::exchange(m_shownFile, m_form->file()) == m_form->file())
+        return;
+    emit fileLaidFlat(m_made->form.boundingBox());
 }
 
 /// Borders of the pieces; another colour around what is left out, and around the one under the pointer.
@@ -707,32 +595,6 @@ void FormPatternWindow::solveCover()
     m_coverJob.request(std::move(wanted), true);
 }
 
-void FormPatternWindow::sayCover(QStringList& lines) const
-{
-    if (m_solving)
-        lines << tr("Its cover is being solved \u2026");
-    if (!m_cover)
-        return;
-    Box3 box;
-    for (const Vec3& point : m_made->form.points)
-        box.extend(point);
-    if (m_cover->beside > std::max(leastBeside, shareBeside * box.diagonal().norm()))
-        lines << (frame() && !frame()->contact
-                      ? tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: tick \"Keeps "
-                           "the cover outside\" at the frame, or hold it by a fixation.")
-                      : tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a "
-                           "fixation, or give its pieces pressure."))
-                     .arg(lengthText(m_cover->beside, 0));
-    if (!m_cover->atRest)
-        lines << tr("Its cover does not come to rest.");
-    else if (m_cover->findings.empty())
-        lines << tr("Its cover at rest is strained no more than the fabric may be.");
-    else
-        lines << tr("Its cover at rest: %1").arg(translated(m_cover->findings.front().text));
-    if (const int more = static_cast<int>(m_cover->findings.size()) - 1; more > 0)
-        lines.back() += ' ' + tr("(and %n more)", nullptr, more);
-}
-
 void FormPatternWindow::offerToReplace()
 {
     const Design& design = m_document.design();
@@ -760,84 +622,14 @@ void FormPatternWindow::sayWhatIsFreed()
 
 void FormPatternWindow::say()
 {
-    if (!m_made->problem.empty()) {
-        sayProblem();
-        return;
-    }
-    QStringList lines;
-    if (m_made->size)
-        lines << tr("The form is taken as %1 large. If that is wrong, import the file as a frame.")
-                     .arg(sizesText({m_made->size->x(), m_made->size->y(), m_made->size->z()}, 0));
-    double most = 0, rms = 0, mostAnywhere = 0, widest = 0;
-    std::string where;
-    int over = 0;
-    int whole = 0;                                                   // pieces that are not left out
-    const std::vector<ElementId>& patches = m_made->pattern.patches; // none of what was stopped
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-        if (patches[p] == noElement)
-            continue;
-        ++whole;
-        if (const FlatPiece& flat = m_made->flat[p]; flat.strainP99 > most) {
-            most = flat.strainP99;
-            rms = flat.strainRms;
-            mostAnywhere = flat.strainMost;
-            where = m_made->form.pieces[p].name;
-        }
-        over += m_made->flat[p].strainP99 > bearableStrain(fabric());
-    }
-    for (const FormSeam& seam : m_made->pattern.seams)
-        widest = std::max(widest, std::abs(seam.first - seam.second));
-    if (whole > 0)
-        lines << tr("%n pieces", nullptr, whole);
-    if (const int seams = static_cast<int>(m_made->pattern.seams.size()); seams > 0)
-        lines.back() +=
-            ", " +
-            (widest < FormPattern::equallyLong
-                 ? tr("%n seams, whose sides are equally long", nullptr, seams)
-                 : tr("%n seams, whose sides differ by %1 at most", nullptr, seams).arg(lengthText(widest, 2)));
-    sayCover(lines);
-    for (const Message& why : m_made->form.undivided)
-        lines << translated(why);
-    const std::vector<Message>& notes = m_made->pattern.notes; // a line for each piece that is left out
-    const std::size_t told = notes.size() > mostNotes ? mostNotes - 1 : notes.size();
-    for (std::size_t k = 0; k < told; ++k)
-        lines << translated(notes[k]);
-    if (told < notes.size())
-        lines << tr("and %n more are left out, too", nullptr, static_cast<int>(notes.size() - told));
-    for (const Message& note : m_made->form.notes)
-        lines << translated(note);
-    for (const Message& note : m_made->pattern.advice)
-        lines << translated(note);
-    if (!where.empty())
-        lines << tr("Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most")
-                     .arg(isolated(QString::fromStdString(where)), percentText(rms), percentText(most),
-                          percentText(mostAnywhere));
-    if (over > 0)
-        lines << tr("%n pieces are strained by more than the fabric may be in more than a hundredth of their area "
-                    "(yellow): divide them, or cut them in there.",
-                    nullptr, over);
-    const double area = patternArea(m_made->pattern.design);
-    if (const double vertices = vertexCount(area, m_document.design().settings().edgeLength);
-        vertices > FormPattern::manyVertices)
-        lines << tr("Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.")
-                     .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
-                          lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
-    if (frame() && whole > 0 && !frame()->contact)
-        lines << tr(
-            "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");
-    if (m_divide->isChecked() && !notes.empty())
-        lines << tr("With shorter mesh edges smaller pieces are divided, too.");
-    if (!m_divide->isChecked() && (over > 0 || !notes.empty()))
-        lines << tr("A mark at \"where it would not lie flat\" finds where to divide them.");
-    m_said->setText(lines.join('\n'));
-}
-
-void FormPatternWindow::sayProblem()
-{
-    QStringList lines{asSentence(translated(m_made->problem))};
-    for (const Message& note : m_made->form.notes)
-        lines << translated(note);
-    m_said->setText(lines.join('\n'));
+    m_said->setText(FormPatternReport{.made = *m_made,
+                                      .cover = m_cover ? &*m_cover : nullptr,
+                                      .isSolved = m_solving,
+                                      .divides = m_divide->isChecked(),
+                                      .limit = bearableStrain(fabric()),
+                                      .edgeLength = m_document.design().settings().edgeLength,
+                                      .frame = frame()}
+                        .text());
 }
 
 /// For the history: which form, and whether it was made before.
@@ -846,8 +638,8 @@ Message FormPatternWindow::verb(bool again) const
     std::string name;
     if (frame())
         name = frame()->name;
-    else if (m_form->currentData().toString() == "file")
-        name = QFileInfo(m_file).fileName().toStdString();
+    else if (!m_form->file().isEmpty())
+        name = QFileInfo(m_form->file()).fileName().toStdString();
     if (name.empty())
         return {again ? QT_TRANSLATE_NOOP("Message", "Make the pattern of a form again")
                       : QT_TRANSLATE_NOOP("Message", "Make the pattern of a form"),
@@ -887,10 +679,7 @@ void FormPatternWindow::make()
     }
     const std::vector<ElementId> added = edits::addedPieces(outcome.edit);
     m_document.commit(editBetween(m_document.design(), rest.with(outcome.edit), verb(again)));
-    Box3 where;
-    for (const Vec3& point : m_made->form.points)
-        where.extend(point);
-    emit patternMade(added, where);
+    emit patternMade(added, m_made->form.boundingBox());
     close();
 }
 
@@ -903,7 +692,7 @@ void FormPatternWindow::documentChanged()
     };
     const bool sameLines = curvesOf(m_drawn) == curvesOf(m_document.design());
     if (!sameLines)
-        fillLines();
+        m_lines->fill(m_document.design());
     const bool moved = !m_document.gestureRunning() && takeMesh(); // else when the frame is let go
     const bool sameEdges = m_drawn.settings().edgeLength == m_document.design().settings().edgeLength;
     if (!sameLines || moved || !sameEdges)
