@@ -116,21 +116,24 @@ void FrameParts::addShown(PropertyForm& form, ElementId id) const
     const std::shared_ptr<const FramePieces> pieces = piecesOf(mesh);
     if (pieces->pieces.size() < 2)
         return; // to hide it all is what hiding the frame is for
+    const InspectorSubject<Frame> subject(m_document, {id}, form);
     const std::vector<PartLine> lines = linesOf(*pieces);
     std::vector<PropertyForm::Check> checks;
     int below = 0;
     for (const PartLine& line : lines) {
         below = line.below ? below : 0;
         const QString part = partTitle(mesh->parts[pieceOf(*pieces, line.pieces.front()).part].name);
-        const QString size = placedSize(*frame, *pieces, line.pieces);
+        const auto size = [subject, pieces, of = line.pieces] { return placedSize(subject.now(), *pieces, of); };
         if (line.below)
-            checks.push_back({tr("Piece %1: %2").arg(++below).arg(size), true});
+            checks.push_back(
+                {[size, number = ++below] { return tr("Piece %1: %2").arg(number).arg(size()); }, true});
         else if (line.pieces.size() > 1)
-            checks.push_back({tr("%1: %n piece(s)", nullptr, static_cast<int>(line.pieces.size())).arg(part)});
+            checks.push_back({[part, count = static_cast<int>(line.pieces.size())] {
+                return tr("%1: %n piece(s)", nullptr, count).arg(part);
+            }});
         else
-            checks.push_back({tr("%1: %2").arg(part, size)});
+            checks.push_back({[part, size] { return tr("%1: %2").arg(part, size()); }});
     }
-    const InspectorSubject<Frame> subject(m_document, {id}, form);
     const auto hidden = [subject, mesh, pieces] { return pieces->hiddenBy(*mesh, subject.now().hiddenParts); };
     const auto read = [hidden, lines] {
         const std::vector<bool> gone = hidden();
@@ -177,9 +180,12 @@ void FrameParts::addPadded(PropertyForm& form, const std::vector<ElementId>& ids
     if (parts.empty())
         return;
     std::vector<PropertyForm::Check> checks;
-    for (const auto& [name, of] : parts)
-        checks.push_back({of.empty() ? tr("%1: not in this frame").arg(partTitle(name))
-                                     : tr("%1: %2").arg(partTitle(name), placedSize(*frame, *pieces, of))});
+    for (const CushionPart& part : parts)
+        checks.push_back({[this, part, pieces, frameId = *id] {
+            const Frame* now = part.pieces.empty() ? nullptr : m_document.design().find<Frame>(frameId);
+            return now ? tr("%1: %2").arg(partTitle(part.name), placedSize(*now, *pieces, part.pieces))
+                       : tr("%1: not in this frame").arg(partTitle(part.name));
+        }});
     const auto read = [cushion, parts] {
         std::vector<Qt::CheckState> states;
         for (const CushionPart& part : parts) {

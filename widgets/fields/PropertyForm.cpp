@@ -391,8 +391,7 @@ void PropertyForm::addChecks(const QString& label, const std::vector<Check>& che
     QTreeWidgetItem* above = nullptr;
     for (const Check& check : checks) {
         auto* item = check.below && above ? new QTreeWidgetItem(above) : new QTreeWidgetItem(list);
-        item->setText(0, check.text);
-        item->setToolTip(0, check.text);
+        item->setText(0, check.text());
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(0, Qt::Unchecked); // before rows are measured: a mark is higher than a word
         item->setData(0, CheckList::number, static_cast<int>(items.size()));
@@ -407,11 +406,15 @@ void PropertyForm::addChecks(const QString& label, const std::vector<Check>& che
         write(item->data(0, CheckList::number).toInt(), item->checkState(0) == Qt::Checked);
     });
     addLabelAbove(label, list);
-    addField({}, list, [list, items, read] {
+    addField({}, list, [list, items, read, checks] {
         const QSignalBlocker quiet(list);
         const std::vector<Qt::CheckState> states = read();
-        for (std::size_t i = 0; i < items.size() && i < states.size(); ++i)
+        for (std::size_t i = 0; i < items.size() && i < states.size(); ++i) {
+            const QString text = checks[i].text();
+            items[i]->setText(0, text);
+            items[i]->setToolTip(0, text);
             items[i]->setCheckState(0, states[i]);
+        }
     });
 }
 

@@ -53,7 +53,7 @@ public:
     void addCheck(const QString& label, const std::function<std::optional<bool>()>& read,
                   const std::function<void(bool)>& write);
     struct Check {
-        QString text;
+        std::function<QString()> text;
         bool below = false; ///< belongs to the one before that does not
     };
     /// A list of marks, under the label. `pointed` gets the one under the pointer or the keyboard's mark, or -1.
