@@ -189,15 +189,12 @@ private:
         const double least = smallestEdgeLength(m_pattern.design);
         if (m_order.edgeLength >= least)
             return;
-        Box3 box;
-        for (const Vec3& point : m_form.points)
-            box.extend(point);
         m_advice.push_back(
             {QT_TRANSLATE_NOOP("Message",
                                "The form is %1 mm large: with edges of %2 mm its cover has more triangles "
                                "than can be solved. See whether the unit is right; else make the mesh "
                                "edges at least %3 mm long"),
-             {numberText(box.sizes().maxCoeff(), 3), numberText(m_order.edgeLength, 3),
+             {numberText(m_form.boundingBox().sizes().maxCoeff(), 3), numberText(m_order.edgeLength, 3),
               numberText(std::ceil(least), 6)}});
     }
 
