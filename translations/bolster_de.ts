@@ -2236,6 +2236,103 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(und %n weitere)</numerusform>
+            <numerusform>(und %n weitere)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n Naht, deren Seiten gleich lang sind</numerusform>
+            <numerusform>%n Nähte, deren Seiten gleich lang sind</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n Naht, deren Seiten sich um höchstens %1 unterscheiden</numerusform>
+            <numerusform>%n Nähte, deren Seiten sich um höchstens %1 unterscheiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“, oder halten Sie ihn mit einer Fixierung.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: halten Sie ihn mit einer Fixierung, oder geben Sie seinen Teilen Druck.</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Ihr Bezug wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Ihr Bezug kommt nicht zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Ihr Bezug in Ruhe ist nicht stärker gedehnt, als der Stoff es sein darf.</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>Was zählt, ist ihr Bezug in Ruhe: %1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>Für sich auf die Form gelegt ist kein Teil so stark gedehnt. Das tun schmale Spitzen und Stufen einer Linie, oder Netzkanten, die für sie lang sind.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>und %n weiteres wird ebenfalls weggelassen</numerusform>
+            <numerusform>und %n weitere werden ebenfalls weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Für sich auf die Form gelegt am stärksten gedehnt: %1, %2 (quadratisches Mittel), %3 auf 99 % der Fläche, %4 an der stärksten Stelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n Teil ist auf mehr als einem Hundertstel seiner Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie es oder schneiden Sie es dort ein.</numerusform>
+            <numerusform>%n Teile sind auf mehr als einem Hundertstel ihrer Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Ihr Bezug wird etwa %1 Netzpunkte haben und wird hier nicht gerechnet: mit Netzkanten von %2 wird er es.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Damit der Bezug nicht in das Gestell sinkt, setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“.</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Mit kürzeren Netzkanten werden auch kleinere Teile geteilt.</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>Setzen Sie ein Häkchen bei „wo sie nicht flach läge“: das findet, wo sie zu teilen sind.</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>Die Form wird als %1 groß genommen. Wenn das falsch ist, importieren Sie die Datei als Gestell.</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9164,6 +9261,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Eine Datei …</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9521,10 +9625,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>Eine Datei …</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>Netze und Scans (%1);;Alle Dateien (*)</translation>
     </message>
@@ -9552,14 +9652,6 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>Nahtlinien</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>Fixierkurven des Entwurfs. Zeichnen Sie Nahtlinien mit dem Werkzeug für Fixierkurven auf ein Gestell: Was inzwischen gezeichnet wird, wird sofort geschnitten</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>&amp;Form</translation>
     </message>
@@ -9580,10 +9672,6 @@
         <translation>Der Bezug, wie er ist</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Eine Datei …</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>Neuer Stoff</translation>
     </message>
@@ -9600,26 +9688,8 @@
         <translation>Stoff</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>Wählen Sie die Datei einer Form.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Wird flach gelegt …</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n Teil</numerusform>
-            <numerusform>%n Teile</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n Naht, deren Seiten sich um höchstens %1 unterscheiden</numerusform>
-            <numerusform>%n Nähte, deren Seiten sich um höchstens %1 unterscheiden</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9658,10 +9728,6 @@
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>Die Form wird als %1 groß genommen. Wenn das falsch ist, importieren Sie die Datei als Gestell.</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>Form wählen</translation>
     </message>
@@ -9676,17 +9742,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Jede Fläche so, wie das CAD-Programm sie hat, auch wo zwei glatt ineinander übergehen</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>und %n weiteres wird ebenfalls weggelassen</numerusform>
-            <numerusform>und %n weitere werden ebenfalls weggelassen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>Ein Häkchen bei „wo sie nicht flach läge“ findet, wo sie zu teilen sind.</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9707,17 +9762,6 @@
             <numerusform>Wird geteilt, bisher %n Teile …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n Teil ist auf mehr als einem Hundertstel seiner Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie es oder schneiden Sie es dort ein.</numerusform>
-            <numerusform>%n Teile sind auf mehr als einem Hundertstel ihrer Fläche stärker gedehnt, als es der Stoff sein darf (gelb): Trennen Sie sie oder schneiden Sie sie dort ein.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>Damit der Bezug nicht in das Gestell sinkt, setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“.</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Was aus dieser Form zuvor wurde, geht, mit seinen Nähten und den Kurven, die nichts anderes halten. Einmal Rückgängig bringt es zurück.</translation>
@@ -9737,23 +9781,9 @@
         <source>It was stopped.</source>
         <translation>Es wurde angehalten.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n Linie, die einen Bezug hält</numerusform>
-            <numerusform>%n Linien, die einen Bezug halten</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>Es wurde angehalten. Das sind die Teile von zuvor.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n Naht, deren Seiten gleich lang sind</numerusform>
-            <numerusform>%n Nähte, deren Seiten gleich lang sind</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9763,51 +9793,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>Ihr Bezug wird berechnet …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>Ihr Bezug kommt nicht zur Ruhe.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>Ihr Bezug in Ruhe ist nicht stärker gedehnt, als der Stoff es sein darf.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>Ihr Bezug in Ruhe: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>(und %n weitere)</numerusform>
-            <numerusform>(und %n weitere)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>Mit kürzeren Netzkanten werden auch kleinere Teile geteilt.</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>Am stärksten gedehnt: %1, %2 (quadratisches Mittel), %3 auf 99 % der Fläche, %4 an der stärksten Stelle</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: setzen Sie beim Gestell ein Häkchen bei „Hält den Bezug außerhalb“, oder halten Sie ihn mit einer Fixierung.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>Ihr Bezug liegt in Ruhe bis zu %1 neben der Form, wo ihn nichts hält: halten Sie ihn mit einer Fixierung, oder geben Sie seinen Teilen Druck.</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>Ihr Bezug wird etwa %1 Netzpunkte haben und wird hier nicht gerechnet: mit Netzkanten von %2 wird er es.</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>Aus einer Form</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Ihren Bezug &amp;außerhalb des Gestells halten</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Beim Erstellen des Schnitts wird beim Gestell „Hält den Bezug außerhalb“ angehakt. Ein Bezug, der nur an seinen Nähten gehalten ist, kann in das Gestell sinken oder sich nach innen stülpen.</translation>
     </message>
 </context>
 <context>
@@ -11698,6 +11693,24 @@
     <message>
         <source>outside</source>
         <translation>außen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>Nahtlinien</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>Fixierkurven des Entwurfs. Zeichnen Sie Nahtlinien mit dem Werkzeug für Fixierkurven auf ein Gestell: Was inzwischen gezeichnet wird, wird sofort geschnitten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n Linie, die einen Bezug hält</numerusform>
+            <numerusform>%n Linien, die einen Bezug halten</numerusform>
+        </translation>
     </message>
 </context>
 <context>

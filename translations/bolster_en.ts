@@ -19,6 +19,51 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(and %n more)</numerusform>
+            <numerusform>(and %n more)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n piece</numerusform>
+            <numerusform>%n pieces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n seam, whose sides are equally long</numerusform>
+            <numerusform>%n seams, whose sides are equally long</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n seam, whose sides differ by %1 at most</numerusform>
+            <numerusform>%n seams, whose sides differ by %1 at most</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>and %n more is left out, too</numerusform>
+            <numerusform>and %n more are left out, too</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n piece is strained by more than the fabric may be in more than a hundredth of its area (yellow): divide it, or cut it in there.</numerusform>
+            <numerusform>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FrameParts</name>
     <message numerus="yes">
         <source>%1: %n piece(s)</source>
@@ -139,38 +184,10 @@
 <context>
     <name>bolster::FormPatternWindow</name>
     <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n piece</numerusform>
-            <numerusform>%n pieces</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n seam, whose sides differ by %1 at most</numerusform>
-            <numerusform>%n seams, whose sides differ by %1 at most</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>and %n more is left out, too</numerusform>
-            <numerusform>and %n more are left out, too</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Dividing it, %n pieces so far …</source>
         <translation>
             <numerusform>Dividing it, %n piece so far …</numerusform>
             <numerusform>Dividing it, %n pieces so far …</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n piece is strained by more than the fabric may be in more than a hundredth of its area (yellow): divide it, or cut it in there.</numerusform>
-            <numerusform>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -181,31 +198,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n line that holds a cover</numerusform>
-            <numerusform>%n lines that hold a cover</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n seam, whose sides are equally long</numerusform>
-            <numerusform>%n seams, whose sides are equally long</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>(%n curve that holds them will hold nothing)</numerusform>
             <numerusform>(%n curves that hold them will hold nothing)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>(and %n more)</numerusform>
-            <numerusform>(and %n more)</numerusform>
         </translation>
     </message>
 </context>
@@ -328,6 +324,16 @@
         <translation>
             <numerusform>%n edit that was undone or is on another branch</numerusform>
             <numerusform>%n edits that were undone or are on other branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n line that holds a cover</numerusform>
+            <numerusform>%n lines that hold a cover</numerusform>
         </translation>
     </message>
 </context>

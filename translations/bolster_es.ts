@@ -2236,6 +2236,103 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(y %n más)</numerusform>
+            <numerusform>(y %n más)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n pieza</numerusform>
+            <numerusform>%n piezas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n costura, cuyos lados miden lo mismo</numerusform>
+            <numerusform>%n costuras, cuyos lados miden lo mismo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n costura, cuyos lados difieren %1 como máximo</numerusform>
+            <numerusform>%n costuras, cuyos lados difieren %1 como máximo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: marque «Mantiene la funda fuera» en el armazón, o sujétela con una fijación.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: sujétela con una fijación, o dé presión a sus piezas.</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Se calcula su funda …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Su funda no llega al reposo.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Su funda en reposo no está más estirada de lo que permite la tela.</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>Lo que cuenta es su funda en reposo: %1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>Puesta por sí sola sobre la forma, ninguna pieza está tan deformada. Eso lo hacen puntas estrechas y escalones de una línea, o aristas de malla largas para ellos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>y también se omite %n más</numerusform>
+            <numerusform>y también se omiten %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Puesta por sí sola sobre la forma, la más deformada: %1, %2 (RMS), %3 en el 99 % de su superficie, %4 donde es máximo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n pieza se deforma en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídala o córtela allí.</numerusform>
+            <numerusform>%n piezas se deforman en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídalas o córtelas allí.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Su funda tendrá unos %1 vértices, y aquí no se calcula: con aristas de malla de %2, sí.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Para que la funda no se hunda en el armazón, marque «Mantiene la funda fuera» en el armazón.</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Con aristas de malla más cortas también se dividen piezas más pequeñas.</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>Marque «donde no quedaría plana»: así se encuentra por dónde dividirlas.</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>La forma se toma con un tamaño de %1. Si no es correcto, importe el archivo como armazón.</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9164,6 +9261,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Un archivo…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9521,10 +9625,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>Un archivo…</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>Mallas y escaneos (%1);;Todos los archivos (*)</translation>
     </message>
@@ -9552,14 +9652,6 @@
         <translation>Ángulo</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>Líneas de costura</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>Curvas de fijación del diseño. Dibuje líneas de costura en un armazón con la herramienta de curvas de fijación: lo que se dibuje entretanto se corta al momento</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>&amp;Forma</translation>
     </message>
@@ -9580,10 +9672,6 @@
         <translation>La funda como está</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Un archivo…</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>Tela nueva</translation>
     </message>
@@ -9600,26 +9688,8 @@
         <translation>Tela</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>Elija el archivo de una forma.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Aplanando…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n pieza</numerusform>
-            <numerusform>%n piezas</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n costura, cuyos lados difieren %1 como máximo</numerusform>
-            <numerusform>%n costuras, cuyos lados difieren %1 como máximo</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9658,10 +9728,6 @@
         <translation>&amp;Detener</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>La forma se toma con un tamaño de %1. Si no es correcto, importe el archivo como armazón.</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>Elegir una forma</translation>
     </message>
@@ -9676,17 +9742,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Cada cara como la tiene el programa de CAD, también donde dos continúan suavemente una en otra</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>y también se omite %n más</numerusform>
-            <numerusform>y también se omiten %n más</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>Una marca en «donde no quedaría plana» encuentra por dónde dividirlas.</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9707,17 +9762,6 @@
             <numerusform>Dividiendo, %n piezas hasta ahora …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n pieza se deforma en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídala o córtela allí.</numerusform>
-            <numerusform>%n piezas se deforman en más de una centésima de su superficie más de lo que admite la tela (amarillo): divídalas o córtelas allí.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>Para que la funda no se hunda en el armazón, marque «Mantiene la funda fuera» en el armazón.</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Las piezas que antes salieron de esta forma se van, con sus costuras y las curvas que no sujetan otra cosa. Un solo Deshacer las devuelve.</translation>
@@ -9737,23 +9781,9 @@
         <source>It was stopped.</source>
         <translation>Se ha detenido.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n línea que sujeta una funda</numerusform>
-            <numerusform>%n líneas que sujetan una funda</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>Se ha detenido. Estas son las piezas de antes.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n costura, cuyos lados miden lo mismo</numerusform>
-            <numerusform>%n costuras, cuyos lados miden lo mismo</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9763,51 +9793,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>Se calcula su funda …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>Su funda no llega al reposo.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>Su funda en reposo no está más estirada de lo que permite la tela.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>Su funda en reposo: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>(y %n más)</numerusform>
-            <numerusform>(y %n más)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>Con aristas de malla más cortas también se dividen piezas más pequeñas.</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>La más deformada: %1, %2 (RMS), %3 en el 99 % de su superficie, %4 donde es máximo</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: marque «Mantiene la funda fuera» en el armazón, o sujétela con una fijación.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>Su funda en reposo queda hasta %1 al lado de la forma, donde nada la sujeta: sujétela con una fijación, o dé presión a sus piezas.</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>Su funda tendrá unos %1 vértices, y aquí no se calcula: con aristas de malla de %2, sí.</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>A partir de una forma</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Mantener su funda fuera del arma&amp;zón</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Al hacer el patrón se marca «Mantiene la funda fuera» en el armazón. Una funda sujeta solo por sus costuras puede hundirse en el armazón o volverse del revés.</translation>
     </message>
 </context>
 <context>
@@ -11698,6 +11693,24 @@
     <message>
         <source>outside</source>
         <translation>fuera</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>Líneas de costura</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>Curvas de fijación del diseño. Dibuje líneas de costura en un armazón con la herramienta de curvas de fijación: lo que se dibuje entretanto se corta al momento</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n línea que sujeta una funda</numerusform>
+            <numerusform>%n líneas que sujetan una funda</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2236,6 +2236,103 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(et %n autre)</numerusform>
+            <numerusform>(et %n autres)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n pièce</numerusform>
+            <numerusform>%n pièces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n couture, dont les côtés sont de même longueur</numerusform>
+            <numerusform>%n coutures, dont les côtés sont de même longueur</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n couture, dont les côtés diffèrent d’au plus %1</numerusform>
+            <numerusform>%n coutures, dont les côtés diffèrent d’au plus %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature, ou tenez-la par une fixation.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: tenez-la par une fixation, ou donnez de la pression à ses pièces.</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Sa housse est calculée …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Sa housse ne trouve pas le repos.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Sa housse au repos n’est pas plus étirée que le tissu ne peut l’être.</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>Ce qui compte est sa housse au repos : %1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>Posée seule sur la forme, aucune pièce n’est aussi déformée. Cela vient de pointes étroites et de marches d’une ligne, ou d’arêtes du maillage longues pour elles.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>et %n de plus est omise</numerusform>
+            <numerusform>et %n de plus sont omises</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Posée seule sur la forme, la plus déformée : %1, %2 (RMS), %3 sur 99 % de sa surface, %4 au plus fort</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n pièce est, sur plus d’un centième de sa surface, plus déformée que le tissu ne l’admet (jaune)&#x202f;: divisez-la, ou entaillez-la là.</numerusform>
+            <numerusform>%n pièces sont, sur plus d’un centième de leur surface, plus déformées que le tissu ne l’admet (jaune)&#x202f;: divisez-les, ou entaillez-les là.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Sa housse aura environ %1 sommets et n’est pas calculée ici&#x202f;: avec des arêtes du maillage de %2, elle l’est.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Pour que la housse ne s’enfonce pas dans l’armature, cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature.</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Avec des arêtes de maillage plus courtes, des pièces plus petites sont divisées aussi.</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>Cochez « là où elle ne serait pas à plat » : cela trouve où les diviser.</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>La forme est prise avec une taille de %1. Si c’est faux, importez le fichier comme armature.</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9164,6 +9261,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Un fichier…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9521,10 +9625,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>Un fichier…</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>Maillages et scans (%1);;Tous les fichiers (*)</translation>
     </message>
@@ -9552,14 +9652,6 @@
         <translation>Angle</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>Lignes de couture</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>Courbes de fixation du modèle. Dessinez des lignes de couture sur une armature avec l’outil des courbes de fixation&#x202f;: ce qui est dessiné entre-temps est aussitôt coupé</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>F&amp;orme</translation>
     </message>
@@ -9580,10 +9672,6 @@
         <translation>La housse telle quelle</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Un fichier…</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>Nouveau tissu</translation>
     </message>
@@ -9600,26 +9688,8 @@
         <translation>Tissu</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>Choisissez le fichier d’une forme.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Mise à plat…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n pièce</numerusform>
-            <numerusform>%n pièces</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n couture, dont les côtés diffèrent d’au plus %1</numerusform>
-            <numerusform>%n coutures, dont les côtés diffèrent d’au plus %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9658,10 +9728,6 @@
         <translation>&amp;Arrêter</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>La forme est prise avec une taille de %1. Si c’est faux, importez le fichier comme armature.</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>Choisir une forme</translation>
     </message>
@@ -9676,17 +9742,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Chaque face telle que le programme de CAO la connaît, même là où deux se prolongent sans pli</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>et %n de plus est omise</numerusform>
-            <numerusform>et %n de plus sont omises</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>Une coche à «&#x202f;là où elle ne serait pas à plat&#x202f;» trouve où les diviser.</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9707,17 +9762,6 @@
             <numerusform>Division, %n pièces jusqu’ici …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n pièce est, sur plus d’un centième de sa surface, plus déformée que le tissu ne l’admet (jaune)&#x202f;: divisez-la, ou entaillez-la là.</numerusform>
-            <numerusform>%n pièces sont, sur plus d’un centième de leur surface, plus déformées que le tissu ne l’admet (jaune)&#x202f;: divisez-les, ou entaillez-les là.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>Pour que la housse ne s’enfonce pas dans l’armature, cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature.</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Les pièces issues auparavant de cette forme disparaissent, avec leurs coutures et les courbes qui ne tiennent rien d’autre. Une seule annulation les ramène.</translation>
@@ -9737,23 +9781,9 @@
         <source>It was stopped.</source>
         <translation>Arrêté.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n ligne qui tient une housse</numerusform>
-            <numerusform>%n lignes qui tiennent une housse</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>Arrêté. Ce sont les pièces d’avant.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n couture, dont les côtés sont de même longueur</numerusform>
-            <numerusform>%n coutures, dont les côtés sont de même longueur</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9763,51 +9793,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>Sa housse est calculée …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>Sa housse ne trouve pas le repos.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>Sa housse au repos n’est pas plus étirée que le tissu ne peut l’être.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>Sa housse au repos&#x202f;: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>(et %n autre)</numerusform>
-            <numerusform>(et %n autres)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>Avec des arêtes de maillage plus courtes, des pièces plus petites sont divisées aussi.</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>La plus déformée&#x202f;: %1, %2 (RMS), %3 sur 99 % de sa surface, %4 au plus fort</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: cochez «&#x202f;Garde la housse dehors&#x202f;» pour l’armature, ou tenez-la par une fixation.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>Sa housse au repos s’écarte de la forme jusqu’à %1, là où rien ne la tient&#x202f;: tenez-la par une fixation, ou donnez de la pression à ses pièces.</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>Sa housse aura environ %1 sommets et n’est pas calculée ici&#x202f;: avec des arêtes du maillage de %2, elle l’est.</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>D’après une forme</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Garder sa housse h&amp;ors de l’armature</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Faire le patron coche « Garde la housse dehors » pour l’armature. Une housse tenue par ses seules coutures peut s’enfoncer dans l’armature ou se retourner.</translation>
     </message>
 </context>
 <context>
@@ -11698,6 +11693,24 @@
     <message>
         <source>outside</source>
         <translation>dehors</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>Lignes de couture</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>Courbes de fixation du modèle. Dessinez des lignes de couture sur une armature avec l’outil des courbes de fixation&#x202f;: ce qui est dessiné entre-temps est aussitôt coupé</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n ligne qui tient une housse</numerusform>
+            <numerusform>%n lignes qui tiennent une housse</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2236,6 +2236,103 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(e %n altro)</numerusform>
+            <numerusform>(e %n altri)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n pezzo</numerusform>
+            <numerusform>%n pezzi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n cucitura, i cui lati sono ugualmente lunghi</numerusform>
+            <numerusform>%n cuciture, i cui lati sono ugualmente lunghi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n cucitura, i cui lati differiscono al massimo di %1</numerusform>
+            <numerusform>%n cuciture, i cui lati differiscono al massimo di %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: spuntare «Tiene fuori il rivestimento» nel telaio, o tenerlo con un fissaggio.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: tenerlo con un fissaggio, o dare pressione ai suoi pezzi.</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Il suo rivestimento viene calcolato …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Il suo rivestimento non trova riposo.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Il suo rivestimento a riposo non è più teso di quanto il tessuto consenta.</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>Ciò che conta è il suo rivestimento a riposo: %1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>Posato da solo sulla forma, nessun pezzo è così deformato. Lo fanno punte strette e gradini di una linea, o lati della mesh lunghi per essi.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>e anche %n altro è escluso</numerusform>
+            <numerusform>e anche %n altri sono esclusi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Posato da solo sulla forma, più deformato: %1, %2 (rms), %3 sul 99 % della sua area, %4 dove è massimo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n pezzo è deformato su più di un centesimo della sua superficie più di quanto ammette il tessuto (giallo): dividerlo o inciderlo lì.</numerusform>
+            <numerusform>%n pezzi sono deformati su più di un centesimo della loro superficie più di quanto ammette il tessuto (giallo): dividerli o inciderli lì.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Il suo rivestimento avrà circa %1 vertici e non viene calcolato qui: con lati della mesh di %2 sì.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Perché il rivestimento non affondi nel telaio, spuntare «Tiene fuori il rivestimento» nel telaio.</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Con spigoli della mesh più corti si dividono anche pezzi più piccoli.</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>Spuntate «dove non starebbe in piano»: trova dove dividerli.</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>La forma è presa con una dimensione di %1. Se non è giusto, importi il file come telaio.</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9164,6 +9261,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Un file…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9521,10 +9625,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>Un file…</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>Mesh e scansioni (%1);;Tutti i file (*)</translation>
     </message>
@@ -9552,14 +9652,6 @@
         <translation>Angolo</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>Linee di cucitura</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>Curve di fissaggio del modello. Disegnare linee di cucitura su un telaio con lo strumento per curve di fissaggio: ciò che si disegna nel frattempo viene subito tagliato</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>&amp;Forma</translation>
     </message>
@@ -9580,10 +9672,6 @@
         <translation>Il rivestimento com’è</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Un file…</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>Nuovo tessuto</translation>
     </message>
@@ -9600,26 +9688,8 @@
         <translation>Tessuto</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>Scegliere il file di una forma.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Stesura in piano…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n pezzo</numerusform>
-            <numerusform>%n pezzi</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n cucitura, i cui lati differiscono al massimo di %1</numerusform>
-            <numerusform>%n cuciture, i cui lati differiscono al massimo di %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9658,10 +9728,6 @@
         <translation>&amp;Interrompi</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>La forma è presa con una dimensione di %1. Se non è giusto, importi il file come telaio.</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>Scegli una forma</translation>
     </message>
@@ -9676,17 +9742,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Ogni faccia come la conosce il programma CAD, anche dove due proseguono dolcemente l&apos;una nell&apos;altra</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>e anche %n altro è escluso</numerusform>
-            <numerusform>e anche %n altri sono esclusi</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>Un segno a «dove non starebbe in piano» trova dove dividerli.</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9707,17 +9762,6 @@
             <numerusform>Divisione, %n pezzi finora …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n pezzo è deformato su più di un centesimo della sua superficie più di quanto ammette il tessuto (giallo): dividerlo o inciderlo lì.</numerusform>
-            <numerusform>%n pezzi sono deformati su più di un centesimo della loro superficie più di quanto ammette il tessuto (giallo): dividerli o inciderli lì.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>Perché il rivestimento non affondi nel telaio, spuntare «Tiene fuori il rivestimento» nel telaio.</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>I pezzi nati prima da questa forma se ne vanno, con le loro cuciture e le curve che non tengono altro. Un solo Annulla li riporta.</translation>
@@ -9737,23 +9781,9 @@
         <source>It was stopped.</source>
         <translation>È stato fermato.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n linea che tiene un rivestimento</numerusform>
-            <numerusform>%n linee che tengono un rivestimento</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>È stato fermato. Questi sono i pezzi di prima.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n cucitura, i cui lati sono ugualmente lunghi</numerusform>
-            <numerusform>%n cuciture, i cui lati sono ugualmente lunghi</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9763,51 +9793,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>Il suo rivestimento viene calcolato …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>Il suo rivestimento non trova riposo.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>Il suo rivestimento a riposo non è più teso di quanto il tessuto consenta.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>Il suo rivestimento a riposo: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>(e %n altro)</numerusform>
-            <numerusform>(e %n altri)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>Con spigoli della mesh più corti si dividono anche pezzi più piccoli.</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>Più deformato: %1, %2 (rms), %3 sul 99 % della sua area, %4 dove è massimo</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: spuntare «Tiene fuori il rivestimento» nel telaio, o tenerlo con un fissaggio.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>Il suo rivestimento a riposo sta fino a %1 accanto alla forma, dove niente lo tiene: tenerlo con un fissaggio, o dare pressione ai suoi pezzi.</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>Il suo rivestimento avrà circa %1 vertici e non viene calcolato qui: con lati della mesh di %2 sì.</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>Da una forma</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Tenere il suo rivestimento fu&amp;ori dal telaio</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Facendo il cartamodello si spunta «Tiene fuori il rivestimento» nel telaio. Un rivestimento tenuto solo lungo le cuciture può affondare nel telaio o rovesciarsi.</translation>
     </message>
 </context>
 <context>
@@ -11698,6 +11693,24 @@
     <message>
         <source>outside</source>
         <translation>fuori</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>Linee di cucitura</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>Curve di fissaggio del modello. Disegnare linee di cucitura su un telaio con lo strumento per curve di fissaggio: ciò che si disegna nel frattempo viene subito tagliato</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n linea che tiene un rivestimento</numerusform>
+            <numerusform>%n linee che tengono un rivestimento</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2234,6 +2234,97 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>（ほか %n 件）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>パーツ %n 個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>縫い目 %n 本、両側は同じ長さ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>縫い目 %n 本、両側の長さの差は最大 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。フレームで「カバーを外側に保つ」にチェックを入れるか、固定してください。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。固定するか、パーツに圧力を与えてください。</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>カバーを計算しています …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>カバーが静止しません。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>静止したカバーのひずみは生地の許容範囲内です。</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>重要なのは静止したカバーです: %1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>単独で形状に載せたときは、これほどひずむパーツはありません。細い先端や線の段差、またはそれに対して長いメッシュの辺が原因です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>ほかに %n 個も除外されます</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>単独で形状に載せたときの最大ひずみ: %1、%2 (RMS)、面積の 99 % で %3 以内、最大の所で %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n 個のパーツで、面積の 100 分の 1 を超える所に生地の許容を超えるひずみがあります (黄色)。分割するか、そこに切り込みを入れてください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>カバーの頂点は約 %1 個になり、ここでは計算しません: メッシュの辺を %2 にすると計算します。</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>カバーがフレームに沈まないようにするには、フレームで「カバーを外側に保つ」にチェックを入れてください。</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>メッシュの辺を短くすると、より小さなパーツも分割されます。</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>「平らにならない所」にチェックを入れてください。分割する所が見つかります。</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>形状の大きさを %1 とみなします。違う場合は、ファイルをフレームとして読み込んでください。</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9150,6 +9241,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>ファイル…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9506,10 +9604,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>ファイル…</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>メッシュとスキャン (%1);;すべてのファイル (*)</translation>
     </message>
@@ -9537,14 +9631,6 @@
         <translation>角度</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>縫い目の線</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>デザインの固定曲線。縫い目の線は固定曲線ツールでフレーム上に描きます。その間に描いた線ですぐに切られます</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>形状(&amp;F)</translation>
     </message>
@@ -9565,10 +9651,6 @@
         <translation>現在のカバー</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>ファイル…</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>新しい生地</translation>
     </message>
@@ -9585,24 +9667,8 @@
         <translation>生地</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>形状のファイルを選んでください。</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>展開しています…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>パーツ %n 個</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>縫い目 %n 本、両側の長さの差は最大 %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9641,10 +9707,6 @@
         <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>形状の大きさを %1 とみなします。違う場合は、ファイルをフレームとして読み込んでください。</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>形状を選択</translation>
     </message>
@@ -9659,16 +9721,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>CAD プログラムにあるとおりの面ごとに。滑らかにつながる面どうしも分けます</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>ほかに %n 個も除外されます</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>「平らにならない所」にチェックを入れると、分割する所を見つけます。</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9688,16 +9740,6 @@
             <numerusform>分割中、これまでに %n 個 …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n 個のパーツで、面積の 100 分の 1 を超える所に生地の許容を超えるひずみがあります (黄色)。分割するか、そこに切り込みを入れてください。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>カバーがフレームに沈まないようにするには、フレームで「カバーを外側に保つ」にチェックを入れてください。</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>この形から以前作られたパーツが、その縫い目と、ほかに何も留めていないカーブとともに消えます。一度の「元に戻す」で戻ります。</translation>
@@ -9716,21 +9758,9 @@
         <source>It was stopped.</source>
         <translation>停止しました。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>カバーを留めている線 %n 本</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>停止しました。これは以前のパーツです。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>縫い目 %n 本、両側は同じ長さ</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9739,50 +9769,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>カバーを計算しています …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>カバーが静止しません。</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>静止したカバーのひずみは生地の許容範囲内です。</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>静止したカバー: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>（ほか %n 件）</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>メッシュの辺を短くすると、より小さなパーツも分割されます。</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>最大ひずみ: %1、%2 (RMS)、面積の 99 % で %3 以内、最大の所で %4</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。フレームで「カバーを外側に保つ」にチェックを入れるか、固定してください。</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>静止時のカバーは、固定するものがない所で形状から最大 %1 離れています。固定するか、パーツに圧力を与えてください。</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>カバーの頂点は約 %1 個になり、ここでは計算しません: メッシュの辺を %2 にすると計算します。</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>形状から</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>カバーをフレームの外側に保つ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>パターンを作ると、フレームの「カバーを外側に保つ」にチェックが入ります。縫い目だけで留められたカバーは、フレームに沈んだり裏返ったりすることがあります。</translation>
     </message>
 </context>
 <context>
@@ -11659,6 +11655,23 @@
     <message>
         <source>outside</source>
         <translation>外側</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>縫い目の線</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>デザインの固定曲線。縫い目の線は固定曲線ツールでフレーム上に描きます。その間に描いた線ですぐに切られます</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>カバーを留めている線 %n 本</numerusform>
+        </translation>
     </message>
 </context>
 <context>

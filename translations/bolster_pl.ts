@@ -2238,6 +2238,109 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(i %n więcej)</numerusform>
+            <numerusform>(i %n więcej)</numerusform>
+            <numerusform>(i %n więcej)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n element</numerusform>
+            <numerusform>%n elementy</numerusform>
+            <numerusform>%n elementów</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n szew, strony są równej długości</numerusform>
+            <numerusform>%n szwy, strony są równej długości</numerusform>
+            <numerusform>%n szwów, strony są równej długości</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n szew, strony różnią się najwyżej o %1</numerusform>
+            <numerusform>%n szwy, strony różnią się najwyżej o %1</numerusform>
+            <numerusform>%n szwów, strony różnią się najwyżej o %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: zaznacz przy stelażu „Nie wpuszcza pokrowca” albo przytrzymaj go mocowaniem.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: przytrzymaj go mocowaniem albo nadaj jego elementom ciśnienie.</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>Obliczany jest jego pokrowiec …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>Jego pokrowiec nie dochodzi do spoczynku.</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>Jego pokrowiec w spoczynku nie jest bardziej rozciągnięty, niż pozwala tkanina.</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>Liczy się jego pokrowiec w spoczynku: %1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>Sam położony na formie żaden kawałek nie jest tak odkształcony. Powodują to wąskie czubki i stopnie linii albo krawędzie siatki za długie dla nich.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>i pominięto jeszcze %n</numerusform>
+            <numerusform>i pominięto jeszcze %n</numerusform>
+            <numerusform>i pominięto jeszcze %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>Sam położony na formie najbardziej odkształcony: %1, %2 (RMS), %3 na 99 % powierzchni, %4 w najgorszym miejscu</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n element jest na ponad jednej setnej powierzchni odkształcony bardziej, niż pozwala materiał (żółty): podziel go lub tam natnij.</numerusform>
+            <numerusform>%n elementy są na ponad jednej setnej powierzchni odkształcone bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
+            <numerusform>%n elementów jest na ponad jednej setnej powierzchni odkształconych bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>Jego pokrowiec będzie mieć około %1 wierzchołków i nie jest tu liczony: z krawędziami siatki %2 będzie.</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>Aby pokrowiec nie zapadał się w stelaż, zaznacz przy stelażu „Nie wpuszcza pokrowca”.</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>Przy krótszych krawędziach siatki dzielone są też mniejsze elementy.</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>Zaznacz „tam, gdzie nie leżałaby płasko”: to znajdzie, gdzie je podzielić.</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>Przyjęto, że forma ma wymiary %1. Jeśli to błąd, proszę zaimportować plik jako stelaż.</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9178,6 +9281,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>Plik…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9536,10 +9646,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>Plik…</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>Siatki i skany (%1);;Wszystkie pliki (*)</translation>
     </message>
@@ -9567,14 +9673,6 @@
         <translation>Kąt</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>Linie szwów</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>Krzywe mocowania modelu. Rysuj linie szwów na stelażu narzędziem krzywych mocowania: narysowane w tym czasie są od razu cięte</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>&amp;Forma</translation>
     </message>
@@ -9595,10 +9693,6 @@
         <translation>Obecny pokrowiec</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>Plik…</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>Nowy materiał</translation>
     </message>
@@ -9615,28 +9709,8 @@
         <translation>Materiał</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>Wybierz plik formy.</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>Rozkładanie na płasko…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n element</numerusform>
-            <numerusform>%n elementy</numerusform>
-            <numerusform>%n elementów</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n szew, strony różnią się najwyżej o %1</numerusform>
-            <numerusform>%n szwy, strony różnią się najwyżej o %1</numerusform>
-            <numerusform>%n szwów, strony różnią się najwyżej o %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9675,10 +9749,6 @@
         <translation>Za&amp;trzymaj</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>Przyjęto, że forma ma wymiary %1. Jeśli to błąd, proszę zaimportować plik jako stelaż.</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>Wybierz formę</translation>
     </message>
@@ -9693,18 +9763,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>Każda ściana tak, jak zna ją program CAD, także tam, gdzie dwie gładko przechodzą w siebie</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>i pominięto jeszcze %n</numerusform>
-            <numerusform>i pominięto jeszcze %n</numerusform>
-            <numerusform>i pominięto jeszcze %n</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>Zaznaczenie „tam, gdzie nie leżałaby płasko” znajduje, gdzie je podzielić.</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9726,18 +9784,6 @@
             <numerusform>Dzielenie, dotąd %n kawałków …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n element jest na ponad jednej setnej powierzchni odkształcony bardziej, niż pozwala materiał (żółty): podziel go lub tam natnij.</numerusform>
-            <numerusform>%n elementy są na ponad jednej setnej powierzchni odkształcone bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
-            <numerusform>%n elementów jest na ponad jednej setnej powierzchni odkształconych bardziej, niż pozwala materiał (żółte): podziel je lub tam natnij.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>Aby pokrowiec nie zapadał się w stelaż, zaznacz przy stelażu „Nie wpuszcza pokrowca”.</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Elementy, które wcześniej powstały z tej formy, znikają, z ich szwami i krzywymi, które nie trzymają nic innego. Jedno Cofnij je przywraca.</translation>
@@ -9758,25 +9804,9 @@
         <source>It was stopped.</source>
         <translation>Zatrzymano.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n linia, która trzyma pokrowiec</numerusform>
-            <numerusform>%n linie, które trzymają pokrowiec</numerusform>
-            <numerusform>%n linii, które trzymają pokrowiec</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>Zatrzymano. To są poprzednie elementy.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n szew, strony są równej długości</numerusform>
-            <numerusform>%n szwy, strony są równej długości</numerusform>
-            <numerusform>%n szwów, strony są równej długości</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9787,52 +9817,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>Obliczany jest jego pokrowiec …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>Jego pokrowiec nie dochodzi do spoczynku.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>Jego pokrowiec w spoczynku nie jest bardziej rozciągnięty, niż pozwala tkanina.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>Jego pokrowiec w spoczynku: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>(i %n więcej)</numerusform>
-            <numerusform>(i %n więcej)</numerusform>
-            <numerusform>(i %n więcej)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>Przy krótszych krawędziach siatki dzielone są też mniejsze elementy.</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>Najbardziej odkształcony: %1, %2 (RMS), %3 na 99 % powierzchni, %4 w najgorszym miejscu</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: zaznacz przy stelażu „Nie wpuszcza pokrowca” albo przytrzymaj go mocowaniem.</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>Jego pokrowiec w spoczynku leży do %1 obok formy, tam gdzie nic go nie trzyma: przytrzymaj go mocowaniem albo nadaj jego elementom ciśnienie.</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>Jego pokrowiec będzie mieć około %1 wierzchołków i nie jest tu liczony: z krawędziami siatki %2 będzie.</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>Z formy</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Nie wpuszczaj jego pokr&amp;owca w stelaż</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Utworzenie wykroju zaznacza przy stelażu „Nie wpuszcza pokrowca”. Pokrowiec trzymany tylko wzdłuż szwów może zapaść się w stelaż albo wywrócić na lewą stronę.</translation>
     </message>
 </context>
 <context>
@@ -11737,6 +11731,25 @@
     <message>
         <source>outside</source>
         <translation>na zewnątrz</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>Linie szwów</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>Krzywe mocowania modelu. Rysuj linie szwów na stelażu narzędziem krzywych mocowania: narysowane w tym czasie są od razu cięte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n linia, która trzyma pokrowiec</numerusform>
+            <numerusform>%n linie, które trzymają pokrowiec</numerusform>
+            <numerusform>%n linii, które trzymają pokrowiec</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2234,6 +2234,97 @@
     </message>
 </context>
 <context>
+    <name>FormPatternReport</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>（另有 %n 项）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n 个样片</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides are equally long</source>
+        <translation>
+            <numerusform>%n 条接缝，两侧等长</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seams, whose sides differ by %1 at most</source>
+        <translation>
+            <numerusform>%n 条接缝，两侧最多相差 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
+        <translation>静止的面套在无固定处偏离形体最多 %1：请在骨架处勾选“挡住面套”，或用固定将其固定。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
+        <translation>静止的面套在无固定处偏离形体最多 %1：请用固定将其固定，或给其样片施加压力。</translation>
+    </message>
+    <message>
+        <source>Its cover is being solved …</source>
+        <translation>正在求解其面套 …</translation>
+    </message>
+    <message>
+        <source>Its cover does not come to rest.</source>
+        <translation>其面套无法静止。</translation>
+    </message>
+    <message>
+        <source>Its cover at rest is strained no more than the fabric may be.</source>
+        <translation>其静止面套的应变未超过面料允许的范围。</translation>
+    </message>
+    <message>
+        <source>What counts is its cover at rest: %1</source>
+        <translation>以其静止面套为准：%1</translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself no piece is strained so much. Narrow tips and steps of a line do that, or mesh edges that are long for them.</source>
+        <translation>单独铺在形体上时，没有样片应变这么大。这是线条的窄尖和台阶，或对它们来说过长的网格边造成的。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more are left out, too</source>
+        <translation>
+            <numerusform>另有 %n 个也被略去</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Laid on the form by itself most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
+        <translation>单独铺在形体上时应变最大：%1，%2（均方根），99 % 面积内 %3，最大处 %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
+        <translation>
+            <numerusform>%n 个样片有超过百分之一的面积应变超出面料允许值（黄色）：请将其划分，或在该处切开。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
+        <translation>其面套约有 %1 个顶点，此处不求解：网格边长为 %2 时才求解。</translation>
+    </message>
+    <message>
+        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
+        <translation>为使面套不陷入骨架，请在骨架处勾选“挡住面套”。</translation>
+    </message>
+    <message>
+        <source>With shorter mesh edges smaller pieces are divided, too.</source>
+        <translation>网格边更短时，更小的样片也会被分割。</translation>
+    </message>
+    <message>
+        <source>Tick &quot;where it would not lie flat&quot;: that finds where to divide them.</source>
+        <translation>勾选“在无法展平处”即可找到划分之处。</translation>
+    </message>
+    <message>
+        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
+        <translation>形状按 %1 的大小处理。如果不对，请将文件作为骨架导入。</translation>
+    </message>
+</context>
+<context>
     <name>FrameEdgeCommands</name>
     <message>
         <source>Fixation curve along an &amp;edge</source>
@@ -9150,6 +9241,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileChoice</name>
+    <message>
+        <source>A file …</source>
+        <translation>文件…</translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileImportDialog</name>
     <message>
         <source> mm per unit</source>
@@ -9506,10 +9604,6 @@
 <context>
     <name>bolster::FormChoice</name>
     <message>
-        <source>A file …</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
         <source>Meshes and scans (%1);;All files (*)</source>
         <translation>网格和扫描 (%1);;所有文件 (*)</translation>
     </message>
@@ -9537,14 +9631,6 @@
         <translation>角度</translation>
     </message>
     <message>
-        <source>Seam lines</source>
-        <translation>接缝线</translation>
-    </message>
-    <message>
-        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
-        <translation>设计的固定曲线。请用固定曲线工具在骨架上绘制接缝线：期间绘制的线会立即切分</translation>
-    </message>
-    <message>
         <source>&amp;Form</source>
         <translation>形体(&amp;F)</translation>
     </message>
@@ -9565,10 +9651,6 @@
         <translation>当前的面套</translation>
     </message>
     <message>
-        <source>A file …</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
         <source>New fabric</source>
         <translation>新面料</translation>
     </message>
@@ -9585,24 +9667,8 @@
         <translation>面料</translation>
     </message>
     <message>
-        <source>Choose the file of a form.</source>
-        <translation>请选择形体的文件。</translation>
-    </message>
-    <message>
         <source>Laying it flat …</source>
         <translation>正在展平…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n 个样片</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides differ by %1 at most</source>
-        <translation>
-            <numerusform>%n 条接缝，两侧最多相差 %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Make it without what is left out</source>
@@ -9641,10 +9707,6 @@
         <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>The form is taken as %1 large. If that is wrong, import the file as a frame.</source>
-        <translation>形状按 %1 的大小处理。如果不对，请将文件作为骨架导入。</translation>
-    </message>
-    <message>
         <source>Choose a form</source>
         <translation>选择形体</translation>
     </message>
@@ -9659,16 +9721,6 @@
     <message>
         <source>Each face as the CAD program has it, also where two go on smoothly in each other</source>
         <translation>按 CAD 程序中的每个面切开，平滑相接的面也分开</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more are left out, too</source>
-        <translation>
-            <numerusform>另有 %n 个也被略去</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A mark at &quot;where it would not lie flat&quot; finds where to divide them.</source>
-        <translation>勾选“在无法展平处”可找到划分之处。</translation>
     </message>
     <message>
         <source>where it would &amp;not lie flat</source>
@@ -9688,16 +9740,6 @@
             <numerusform>正在划分，目前 %n 片 …</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n pieces are strained by more than the fabric may be in more than a hundredth of their area (yellow): divide them, or cut them in there.</source>
-        <translation>
-            <numerusform>%n 个样片有超过百分之一的面积应变超出面料允许值（黄色）：请将其划分，或在该处切开。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>So that the cover does not sink into the frame, tick &quot;Keeps the cover outside&quot; at the frame.</source>
-        <translation>为使面套不陷入骨架，请在骨架处勾选“挡住面套”。</translation>
-    </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>此前由该形体生成的样片将被移除，连同其缝线以及不固定其他任何东西的曲线。撤销一次即可恢复。</translation>
@@ -9716,21 +9758,9 @@
         <source>It was stopped.</source>
         <translation>已停止。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n lines that hold a cover</source>
-        <translation>
-            <numerusform>%n 条固定面套的线</numerusform>
-        </translation>
-    </message>
     <message>
         <source>It was stopped. These are the pieces from before.</source>
         <translation>已停止。这些是之前的样片。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n seams, whose sides are equally long</source>
-        <translation>
-            <numerusform>%n 条接缝，两侧等长</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
@@ -9739,50 +9769,16 @@
         </translation>
     </message>
     <message>
-        <source>Its cover is being solved …</source>
-        <translation>正在求解其面套 …</translation>
-    </message>
-    <message>
-        <source>Its cover does not come to rest.</source>
-        <translation>其面套无法静止。</translation>
-    </message>
-    <message>
-        <source>Its cover at rest is strained no more than the fabric may be.</source>
-        <translation>其静止面套的应变未超过面料允许的范围。</translation>
-    </message>
-    <message>
-        <source>Its cover at rest: %1</source>
-        <translation>其静止面套：%1</translation>
-    </message>
-    <message numerus="yes">
-        <source>(and %n more)</source>
-        <translation>
-            <numerusform>（另有 %n 项）</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>With shorter mesh edges smaller pieces are divided, too.</source>
-        <translation>网格边更短时，更小的样片也会被分割。</translation>
-    </message>
-    <message>
-        <source>Most strained: %1, %2 (rms), %3 within 99 % of its area, %4 where it is most</source>
-        <translation>应变最大：%1，%2（均方根），99 % 面积内 %3，最大处 %4</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: tick &quot;Keeps the cover outside&quot; at the frame, or hold it by a fixation.</source>
-        <translation>静止的面套在无固定处偏离形体最多 %1：请在骨架处勾选“挡住面套”，或用固定将其固定。</translation>
-    </message>
-    <message>
-        <source>Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a fixation, or give its pieces pressure.</source>
-        <translation>静止的面套在无固定处偏离形体最多 %1：请用固定将其固定，或给其样片施加压力。</translation>
-    </message>
-    <message>
-        <source>Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.</source>
-        <translation>其面套约有 %1 个顶点，此处不求解：网格边长为 %2 时才求解。</translation>
-    </message>
-    <message>
         <source>From a form</source>
         <translation>由形体生成</translation>
+    </message>
+    <message>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>使其面套不陷入骨架(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>生成样板时会在骨架处勾选“挡住面套”。只沿缝线固定的面套可能陷入骨架或翻转过来。</translation>
     </message>
 </context>
 <context>
@@ -11659,6 +11655,23 @@
     <message>
         <source>outside</source>
         <translation>外</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamLineList</name>
+    <message>
+        <source>Seam lines</source>
+        <translation>接缝线</translation>
+    </message>
+    <message>
+        <source>Fixation curves of the design. Draw seam lines on a frame with the tool for fixation curves: what is drawn meanwhile is cut at once</source>
+        <translation>设计的固定曲线。请用固定曲线工具在骨架上绘制接缝线：期间绘制的线会立即切分</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines that hold a cover</source>
+        <translation>
+            <numerusform>%n 条固定面套的线</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ constexpr std::size_t mostCreased = 40;                           // parts betwe
 constexpr std::size_t mostPieces = 100;                           // of what was one
 constexpr double exactly = 1e-6;                                  // mm
 constexpr double onEdge = 0.01;                                   // mm
-constexpr double asClose = 1e-4;                                  // of a number: roundoff apart
+constexpr double sameArea = 1e-4;                                 // of an area: roundoff apart
 constexpr int roundsOfStraightening = 2;
 
 /// Nothing else is sewn to it, and nothing is cut into it.
@@ -166,7 +166,7 @@ private:
     {
         return std::ranges::any_of(m_rough, [&](const FormSheet& rough) {
             return rough.triangles.size() == sheet.triangles.size() &&
-                   std::abs(rough.area() - sheet.area()) < asClose * sheet.area();
+                   std::abs(rough.area() - sheet.area()) < sameArea * sheet.area();
         });
     }
 

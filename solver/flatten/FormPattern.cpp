@@ -161,8 +161,10 @@ private:
             addFixation(p, row, r);
         else if (std::pair(row.matePiece, row.mateRow) >= std::pair(static_cast<int>(p), static_cast<int>(r))) {
             addSeam(p, row, r);
-            if (m_relations.isClosed(p))
+            if (m_relations.isClosed(p)) {
+                m_result.hasClosed = true;
                 addFixation(p, row, r);
+            }
         }
     }
 

@@ -39,6 +39,8 @@ struct FormPattern {
     std::vector<ElementId> patches; ///< of each piece; none where it could not be made
     std::vector<FormSeam> seams;
     std::vector<Message> notes; ///< pieces that are left out, and why
+    bool hasClosed = false;     ///< something is closed all around: held along its seams alone its cover may turn
+                            ///< inside out, where no frame keeps it outside
     /// mm: sides of a seam that differ by less are equal to whoever sews them.
     static constexpr double equallyLong = 0.01;
     /// Of a cover: more take their time.

@@ -3,6 +3,7 @@
 
 #include "AreaRow.h"
 #include "CauseWindow.h"
+#include "CoverNavigation.h"
 #include "DesignJson.h"
 #include "Designer.h"
 #include "FlatPiecesView.h"
@@ -20,7 +21,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -402,7 +405,7 @@ f 2 3 7 6
 f 3 4 8 7
 f 4 1 5 8
 )");
-    openFrame("Box", "box.obj");
+    const ElementId box = openFrame("Box", "box.obj");
     designer.choose({"Pattern", "From a form"});
     auto* dialog = window.findChild<FormPatternWindow*>();
     ASSERT_TRUE(dialog);
@@ -417,7 +420,7 @@ f 4 1 5 8
 
     const QList<QCheckBox*> boxes = dialog->findChildren<QCheckBox*>();
     const auto divide =
-        std::ranges::find_if(boxes, [](const QCheckBox* box) { return box->text().contains("not lie"); });
+        std::ranges::find_if(boxes, [](const QCheckBox* each) { return each->text().contains("not lie"); });
     ASSERT_NE(divide, boxes.end());
     QTest::mouseClick(*divide, Qt::LeftButton, {}, {8, (*divide)->height() / 2});
     ASSERT_TRUE((*divide)->isChecked());
@@ -436,7 +439,7 @@ f 4 1 5 8
     EXPECT_FALSE(dialog->made());
     pressIn(*dialog, "Lay it flat");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() && dialog->made()->problem.empty(); }, 120000));
-    EXPECT_FALSE(says("A mark at"));
+    EXPECT_FALSE(says("Tick \"where"));
     const auto drawn = [&](float width) {
         return std::ranges::count(window.coverView().shown().scene().lines, width, &SceneLine::width);
     };
@@ -452,10 +455,14 @@ f 4 1 5 8
     EXPECT_EQ(lastStep(), "Make the pattern of Box");
     const QTransform after = seen();
     EXPECT_NE(after, before);
+    const auto keepsOutside = [&] { return design().find<Frame>(box)->contact; };
+    EXPECT_TRUE(keepsOutside()) << "a cover that is held along its seams alone would turn inside out";
     window.document().undo();
     EXPECT_EQ(seen(), before) << "what was seen before is seen again";
+    EXPECT_FALSE(keepsOutside());
     window.document().redo();
     EXPECT_EQ(seen(), after);
+    EXPECT_TRUE(keepsOutside());
     EXPECT_TRUE(QTest::qWaitFor([&] { return drawn(4) == 0; }, 10000));
     EXPECT_GE(count<Patch>(), 1);
     EXPECT_LE(count<Patch>(), 6);
@@ -877,6 +884,32 @@ TEST_F(BothWaysTest, TheCoverIsAForm)
     dialog->close();
 }
 
+/// Far from where the designer looks; another file, and the first one, are still there to be chosen.
+TEST_F(BothWaysTest, AFilesFormIsBroughtIntoThePicture)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    ASSERT_TRUE(waitUntilAtRest());
+    CoverNavigation& view = window.coverView().navigation();
+    view.fit(Box3(Vec3(4900, 0, 0), Vec3(5100, 200, 200)));
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    auto* forms = dialog->findChild<QComboBox*>();
+    ASSERT_EQ(forms->itemText(forms->count() - 1), QString::fromUtf8("A file \u2026"));
+    const int count = forms->count();
+    const auto chooseLast = [&] {
+        forms->setCurrentIndex(forms->count() - 1);
+        emit forms->activated(forms->count() - 1);
+    };
+    designer.chooseFile(QFileInfo(sample("car-seat")).dir().filePath("car-seat-form.obj"));
+    chooseLast();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr && forms->count() > count; }, 120000));
+    EXPECT_EQ(forms->currentText(), "car-seat-form.obj");
+    EXPECT_EQ(forms->itemText(forms->count() - 1), QString::fromUtf8("A file \u2026"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.inPicture(dialog->made()->form.boundingBox()); }, 5000));
+    dialog->close();
+}
+
 TEST_F(BothWaysTest, AReliefIsMadeInOneStep)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
@@ -1094,7 +1127,7 @@ TEST_F(BothWaysTest, AFileThatIsChosenLateNeedsNoSecondPress)
     ASSERT_TRUE(dialog);
     takeKeyboard(*dialog);
     pressIn(*dialog, "Look for the cause");
-    designer.answerFileDialog(folder.filePath("built.ply"));
+    designer.chooseFile(folder.filePath("built.ply"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->found().has_value(); }, 240000));
     auto* scans = dialog->findChild<QComboBox*>();
     EXPECT_EQ(scans->currentText(), "built.ply");

@@ -274,14 +274,28 @@ void Designer::typeFixation(const QStringList& places, bool closed)
 
 void Designer::answerFileDialog(const QString& path)
 {
+    answerDialogs(path, true);
+}
+
+void Designer::chooseFile(const QString& path)
+{
+    answerDialogs(path, false);
+}
+
+void Designer::answerDialogs(const QString& path, bool anotherFollows)
+{
     auto* timer = new QTimer(qApp);
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, path, anotherFollows] {
         auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         QWidget* focused = QApplication::focusWidget();
         if (!dialog || !dialog->isVisible() || !focused || !dialog->isAncestorOf(focused))
             return;
         if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
             QTest::keyClicks(files->findChild<QLineEdit*>(), path);
+            if (!anotherFollows) {
+                timer->stop();
+                timer->deleteLater();
+            }
             QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
             return;
         }

@@ -51,11 +51,14 @@ public:
     void typeFixation(const QStringList& places, bool closed);
     /// The next file dialog gets this path, the dialog after it its default button.
     void answerFileDialog(const QString& path);
+    /// The next file dialog gets this path, and no dialog follows.
+    void chooseFile(const QString& path);
 
     /// How often a button of the mouse was pressed so far.
     int clicks() const { return m_clicks; }
 
 private:
+    static void answerDialogs(const QString& path, bool anotherFollows);
     QWidget& keyboard();
     void clickOn(QWidget& widget, QPoint at, Qt::KeyboardModifiers modifiers = {});
     QPoint pixel(const Vec2& at);

@@ -7,7 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QDir>
+
 #include <algorithm>
+#include <cmath>
 
 namespace bolster {
 namespace {
@@ -163,6 +166,38 @@ TEST_F(FlattenTest, WhatIsClosedDividesItselfWhenAsked)
         area += piece["area_mm2"].get<double>();
     EXPECT_NEAR(area, 2 * (400 * 300 + 400 * 120 + 300 * 120), 500);
     EXPECT_EQ(callCommandLine({"check", path("out.json")}).exitCode, 0);
+}
+
+TEST_F(FlattenTest, TheFormKeepsItsCoverOutside)
+{
+    write("box.obj", "g Box\nv 0 0 0\nv .4 0 0\nv .4 .3 0\nv 0 .3 0\nv 0 0 .12\nv .4 0 .12\n"
+                     "v .4 .3 .12\nv 0 .3 .12\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const QStringList words{"--divide", "--unit", "m", "--up", "y"};
+    const ProgramRun without = flatten(path("box.obj"), words);
+    ASSERT_EQ(without.exitCode, 0) << without.err;
+    EXPECT_NE(without.err.find("--frame puts the form under it"), std::string::npos) << without.err;
+    EXPECT_EQ(count("frame"), 0u);
+    ASSERT_TRUE(QFile::remove(path("out.json")));
+
+    const ProgramRun run = flatten(path("box.obj"), words + QStringList{"--frame"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.err.find("--frame"), std::string::npos) << run.err;
+    const Json design = made();
+    const auto frame =
+        std::ranges::find_if(design["elements"], [](const Json& element) { return element["kind"] == "frame"; });
+    ASSERT_NE(frame, design["elements"].end());
+    EXPECT_EQ((*frame)["file"], "box.obj");
+    EXPECT_EQ((*frame)["contact"], true);
+    EXPECT_EQ((*frame)["scale"], 1000);
+    EXPECT_NEAR((*frame)["rotation"][1].get<double>(), std::sqrt(0.5), 1e-6) << "y points up in the file";
+    EXPECT_EQ(callCommandLine({"solve", path("out.json")}).exitCode, 0);
+
+    ASSERT_TRUE(QDir(path("")).mkdir("elsewhere"));
+    const ProgramRun elsewhere = callCommandLine(
+        QStringList{"flatten", path("box.obj"), "--out", path("elsewhere/out.json"), "--frame"} + words);
+    EXPECT_EQ(elsewhere.exitCode, 2);
+    EXPECT_NE(elsewhere.err.find("a design finds its files in its own folder or below"), std::string::npos)
+        << elsewhere.err;
 }
 
 TEST_F(FlattenTest, WhatCannotBeLaidFlatIsSaid)

@@ -14,6 +14,7 @@
 #include "Solving.h"
 #include "Subcommands.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <nlohmann/json.hpp>
@@ -46,6 +47,8 @@ Options:
   --grain DIRECTION     of the grain line: up (the usual way), back or side on the form,
                         or an angle in the pattern, degrees
   --edge MM             edges of the design's triangles (12)
+  --frame               puts the form under its cover, as a frame that keeps the cover
+                        outside; the design lies in the folder of SURFACE, or above it
   --unit mm|cm|m|in|ft  what the numbers in the file are (what it says, or mm)
   --up y|z              what points up in the file (what it says, or z)
   --report FILE.json    strain and area of each piece, lengths of seams
@@ -68,11 +71,11 @@ constexpr double smallestForm = 50;                     // mm
 constexpr double countsForNothing = 1e-4;               // of a form's area: splinters that nobody could sew
 constexpr double leastInMetres = 0.2, mostInMetres = 5; // what a form in metres may measure
 
-constexpr std::array flattenRules = {OptionRule{"--out", true},    OptionRule{"--by", true},
-                                     OptionRule{"--fabric", true}, OptionRule{"--edge", true},
-                                     OptionRule{"--unit", true},   OptionRule{"--up", true},
-                                     OptionRule{"--report", true}, OptionRule{"--along", true},
-                                     OptionRule{"--grain", true},  OptionRule{"--divide", false}};
+constexpr std::array flattenRules = {
+    OptionRule{"--out", true},     OptionRule{"--by", true},    OptionRule{"--fabric", true},
+    OptionRule{"--edge", true},    OptionRule{"--unit", true},  OptionRule{"--up", true},
+    OptionRule{"--report", true},  OptionRule{"--along", true}, OptionRule{"--grain", true},
+    OptionRule{"--divide", false}, OptionRule{"--frame", false}};
 
 double numberIn(const std::string& text, const std::string& what, double least, double most)
 {
@@ -163,8 +166,31 @@ std::string otherUnitText(double number)
     return "with --unit " + unit + " it would be " + numberText(number, 2) + " " + unit;
 }
 
+/// Where a design that is written to `out` finds the form.
+std::string fileOfFrame(const QString& surface, const QString& out)
+{
+    const QDir folder = QFileInfo(out).absoluteDir();
+    const std::string file = folder.relativeFilePath(QFileInfo(surface).absoluteFilePath()).toStdString();
+    if (elementFileProblem(file))
+        throw UsageError("--frame: a design finds its files in its own folder or below: write it to where " +
+                         surface.toStdString() + " is");
+    return file;
+}
+
+/// That keeps the cover outside.
+Design withFrame(const Design& design, const std::string& file, const Placement& placement)
+{
+    Frame frame;
+    static_cast<Placement&>(frame) = placement;
+    frame.name = QFileInfo(QString::fromStdString(file)).completeBaseName().toStdString();
+    frame.file = file;
+    frame.contact = true;
+    return design.with({{}, {{design.nextId(), nullptr, makeElement(std::move(frame))}}});
+}
+
 struct ReadForm {
     Form form;
+    Placement placement;
     int failure = done;   ///< else the exit code; why was said
     bool isSmall = false; ///< its unit may be another one, which was said, too
 };
@@ -180,11 +206,11 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     }
     if (!imported.mesh) {
         printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
-        return {{}, imported.problem.empty() ? otherFailure : badInput};
+        return {{}, {}, imported.problem.empty() ? otherFailure : badInput};
     }
     if (!imported.warning.empty())
         printWarnings({imported.warning});
-    const Placement placement = placementOf(arguments, surface, imported.said);
+    const Placement placement = read.placement = placementOf(arguments, surface, imported.said);
     const auto place = [&](std::vector<Vec3>& points) {
         for (Vec3& point : points)
             point = placement.placed(point);
@@ -213,7 +239,7 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
     }
     if (stop.stop_requested()) {
         printError("error: interrupted");
-        return {{}, otherFailure};
+        return {{}, {}, otherFailure};
     }
     printWarnings(read.form.notes);
     printWarnings(read.form.undivided);
@@ -331,10 +357,12 @@ int flattenForm(std::span<const std::string> words)
         printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
+    const std::string frameFile = arguments.has("--frame") ? fileOfFrame(surface, out) : "";
     Interrupt interrupt;
     if (arguments.has("--along"))
         cuts.lines = linesAlong(arguments.path("--along"));
-    const auto [form, failure, isSmall] = formOf(surface, std::move(cuts), order, arguments, interrupt.token());
+    const auto [form, placement, failure, isSmall] =
+        formOf(surface, std::move(cuts), order, arguments, interrupt.token());
     if (failure != done)
         return failure;
     std::vector<FlatPiece> flat;
@@ -360,6 +388,12 @@ int flattenForm(std::span<const std::string> words)
         printNoPattern(arguments.has("--divide"), isSmall);
         return badInput;
     }
+    if (made.hasClosed && frameFile.empty())
+        printError(
+            "warning: where nothing else holds it the cover may turn inside out; --frame puts the form under "
+            "it, which keeps it outside");
+    if (!frameFile.empty())
+        made.design = withFrame(made.design, frameFile, placement);
     printPieces(form, flat, made, arguments.has("--divide"), bearableStrain(order.fabric));
     interrupt.beginWriting();
     if (!writeWithReport(out, writeDesign(made.design), report, reportOf(form, flat, made).dump(1) + "\n"))

@@ -86,7 +86,7 @@ void FormPatternReport::sayBeside(QStringList& lines) const
 {
     if (cover->beside <= std::max(leastBeside, shareBeside * made.form.boundingBox().diagonal().norm()))
         return;
-    const bool sinks = frame && !frame->contact;
+    const bool sinks = isFrame && !keepsOutside;
     lines << (sinks ? tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: tick \"Keeps "
                          "the cover outside\" at the frame, or hold it by a fixation.")
                     : tr("Its cover at rest lies up to %1 beside the form, where nothing holds it: hold it by a "
@@ -149,7 +149,7 @@ void FormPatternReport::sayWhatHelps(const OnForm& found, QStringList& lines) co
         lines << tr("Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.")
                      .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
                           lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
-    if (frame && found.pieces > 0 && !frame->contact)
+    if (isFrame && !keepsOutside && found.pieces > 0)
         lines << tr(
             "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");
     if (divides && leavesOut)
@@ -161,7 +161,7 @@ void FormPatternReport::sayWhatHelps(const OnForm& found, QStringList& lines) co
 QString FormPatternReport::text() const
 {
     if (!made.problem.empty())
-        return problemText(made);
+        return problemText();
     QStringList lines;
     if (made.size)
         lines << tr("The form is taken as %1 large. If that is wrong, import the file as a frame.")

@@ -18,7 +18,8 @@ public:
     bool divides = false;             ///< what would not lie flat was to be divided
     double limit = 0;                 ///< of strain that the fabric bears; 1
     double edgeLength = 0;            ///< of the cover, mm
-    const Frame* frame = nullptr;     ///< whose form it is; null: of no frame
+    bool isFrame = false;             ///< the form is of one
+    bool keepsOutside = false;        ///< which keeps the cover outside
 
     /// A line for each thing there is to say; of a form of which nothing became, why.
     QString text() const;

@@ -257,6 +257,18 @@ QWidget* FormPatternWindow::buildWishes()
     rows->addWidget(m_divide);
     rows->addWidget(new QLabel(tr("and along the ticked lines:"), wishes));
     rows->addWidget(m_lines, 1);
+    m_outside = new QCheckBox(tr("Keep its cover &outside of the frame"), wishes);
+    m_outside->setToolTip(tr("Making the pattern ticks \"Keeps the cover outside\" at the frame. A cover that is "
+                             "held along its seams alone may sink into the frame or turn inside out."));
+    m_outside->setChecked(true);
+    m_outside->hide();
+    rows->addWidget(m_outside);
+    connect(m_outside, &QCheckBox::toggled, this, [this] {
+        if (!made() || !made()->problem.empty())
+            return;
+        solveCover();
+        say();
+    });
     m_replace = new QCheckBox(wishes);
     m_replace->setToolTip(tr("Patches that this form became before go, with their seams and the curves that hold "
                              "nothing else. One Undo brings them back."));
@@ -287,7 +299,7 @@ void FormPatternWindow::fillForms()
 
 std::vector<QCheckBox*> FormPatternWindow::waysToCut() const
 {
-    return {m_groups, m_faces, m_bends, m_divide};
+    return {m_groups, m_faces, m_bends, m_divide, m_outside};
 }
 
 /// As it was when the window was closed, as far as that is still there.
@@ -371,9 +383,23 @@ bool FormPatternWindow::isCover() const
     return m_form->currentData().toString() == "cover";
 }
 
+/// None when the form is something else.
+ElementId FormPatternWindow::frameId() const
+{
+    return static_cast<ElementId>(m_form->currentData().toUInt());
+}
+
 ElementPtr FormPatternWindow::frameElement() const
 {
-    return m_document.design().element(static_cast<ElementId>(m_form->currentData().toUInt()));
+    return m_document.design().element(frameId());
+}
+
+/// As it keeps the cover outside.
+ElementPtr FormPatternWindow::frameUnder() const
+{
+    Frame under = *frame();
+    under.contact = true;
+    return makeElement(std::move(under));
 }
 
 /// Of a frame that was moved, or is another one now; whether it was.
@@ -388,17 +414,16 @@ bool FormPatternWindow::takeMesh()
 
 std::shared_ptr<const TriangleMesh> FormPatternWindow::mesh() const
 {
-    const QVariant chosen = m_form->currentData();
     if (isCover())
         return meshOf(*m_solver.surface(), m_document.design());
-    const auto file = m_session.files().meshes.find(static_cast<ElementId>(chosen.toUInt()));
+    const auto file = m_session.files().meshes.find(frameId());
     return frame() && file != m_session.files().meshes.end() ? placedMesh(*frame(), file->second) : nullptr;
 }
 
 /// That is chosen as the form; else null.
 const Frame* FormPatternWindow::frame() const
 {
-    return m_document.design().find<Frame>(static_cast<ElementId>(m_form->currentData().toUInt()));
+    return m_document.design().find<Frame>(frameId());
 }
 
 /// Of which the form is; "" when that is no CAD file, or not there any more.
@@ -408,6 +433,12 @@ QString FormPatternWindow::cadFile() const
     if (frame())
         file = m_session.findFile(QString::fromStdString(frame()->file));
     return isCadEnding(endingOf(file)) && QFileInfo::exists(file) ? file : QString();
+}
+
+/// The frame does, or will when the pattern is made.
+bool FormPatternWindow::keepsOutside() const
+{
+    return frame() && (frame()->contact || (!m_outside->isHidden() && m_outside->isChecked()));
 }
 
 Fabric FormPatternWindow::fabric() const
@@ -503,6 +534,7 @@ void FormPatternWindow::clear()
     m_made.reset();
     m_replace->hide();
     m_replaceNote->hide();
+    m_outside->hide();
     m_view->show(nullptr, bearableStrain(fabric()));
     showOnForm();
 }
@@ -519,6 +551,7 @@ void FormPatternWindow::take(FormMade made)
     m_view->show(m_made->problem.empty() ? m_made : nullptr, bearableStrain(fabric()));
     showOnForm();
     tellOfFile();
+    offerOutside();
     offerToReplace();
     solveCover();
     const FormPattern& pattern = m_made->pattern;
@@ -585,14 +618,22 @@ void FormPatternWindow::solveCover()
             FormPattern::manyVertices)
         return;
     FormCoverWanted wanted{m_asked, {now->pattern.design}, m_made};
-    const auto mesh = m_session.files().meshes.find(static_cast<ElementId>(m_form->currentData().toUInt()));
-    if (frame() && frame()->contact && mesh != m_session.files().meshes.end()) {
-        const Edit added = edits::addElement(wanted.input.design, frameElement());
+    const auto mesh = m_session.files().meshes.find(frameId());
+    if (keepsOutside() && mesh != m_session.files().meshes.end()) {
+        const Edit added = edits::addElement(wanted.input.design, frameUnder());
         wanted.input.design = wanted.input.design.with(added);
         wanted.input.files.meshes[added.changes.front().id] = mesh->second;
     }
+    m_cover.reset();
     m_solving = true;
+    m_solvedOutside = keepsOutside();
     m_coverJob.request(std::move(wanted), true);
+}
+
+/// Where its seams alone hold it.
+void FormPatternWindow::offerOutside()
+{
+    m_outside->setVisible(m_made->pattern.hasClosed && frame() && !frame()->contact);
 }
 
 void FormPatternWindow::offerToReplace()
@@ -628,7 +669,8 @@ void FormPatternWindow::say()
                                       .divides = m_divide->isChecked(),
                                       .limit = bearableStrain(fabric()),
                                       .edgeLength = m_document.design().settings().edgeLength,
-                                      .frame = frame()}
+                                      .isFrame = frame() != nullptr,
+                                      .keepsOutside = keepsOutside()}
                         .text());
 }
 
@@ -658,6 +700,8 @@ void FormPatternWindow::make()
     const bool again = m_replace->isVisible() && m_replace->isChecked();
     if (again)
         rest = rest.with(edits::removeElements(rest, edits::earlierPieces(rest, m_made->pattern.design)));
+    if (keepsOutside() && !frame()->contact)
+        rest = rest.with({{}, {{frameId(), frameElement(), frameUnder()}}});
     Box2 there, own;
     rest.each<Patch>([&](ElementId, const Patch& patch) {
         for (const Vec2& point : patch.outline.points())
@@ -697,8 +741,12 @@ void FormPatternWindow::documentChanged()
     const bool sameEdges = m_drawn.settings().edgeLength == m_document.design().settings().edgeLength;
     if (!sameLines || moved || !sameEdges)
         ask(m_document.gestureRunning());
-    else if (made())
+    else if (made() && made()->problem.empty()) {
+        offerOutside();
+        if (keepsOutside() != m_solvedOutside)
+            solveCover();
         say(); // of the frame, too
+    }
 }
 
 } // namespace bolster

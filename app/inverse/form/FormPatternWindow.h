@@ -81,6 +81,7 @@ private:
     void say();
     void showOnForm();
     void tellOfFile();
+    void offerOutside();
     void offerToReplace();
     void sayWhatIsFreed();
     void solveCover();
@@ -92,8 +93,11 @@ private:
     const Frame* frame() const;
     QString cadFile() const;
     std::shared_ptr<const TriangleMesh> mesh() const;
+    ElementId frameId() const;
     ElementPtr frameElement() const;
+    ElementPtr frameUnder() const;
     bool takeMesh();
+    bool keepsOutside() const;
     Message verb(bool again) const;
 
     DesignSession& m_session;
@@ -104,7 +108,7 @@ private:
     FileChoice* m_form = nullptr;
     QComboBox *m_fabric = nullptr, *m_grain = nullptr;
     QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr,
-              *m_replace = nullptr;
+              *m_outside = nullptr, *m_replace = nullptr;
     NumberBox* m_angle = nullptr;
     SeamLineList* m_lines = nullptr;
     FlatPiecesView* m_view = nullptr;
@@ -118,6 +122,7 @@ private:
     std::shared_ptr<const FormMade> m_made;
     std::optional<FormCover> m_cover; ///< of what was made, when it is known
     bool m_solving = false;           ///< it will be
+    bool m_solvedOutside = false;     ///< of the frame
     int m_freed = 0;                  ///< curves that hold nothing when patches are replaced
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
