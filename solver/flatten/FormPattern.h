@@ -40,7 +40,7 @@ struct FormPattern {
     std::vector<FormSeam> seams;
     std::vector<Message> notes; ///< pieces that are left out, and why
     bool hasClosed = false;     ///< something is closed all around: held along its seams alone its cover may turn
-                            ///< inside out, where no frame keeps it outside
+                                ///< inside out, where no frame keeps it outside
     /// mm: sides of a seam that differ by less are equal to whoever sews them.
     static constexpr double equallyLong = 0.01;
     /// Of a cover: more take their time.
