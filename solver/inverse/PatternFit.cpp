@@ -40,7 +40,8 @@ constexpr int mostVerifications = 10, fewVerifications = 4;
 constexpr int mostImprovements = 2;  // on the way
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
-constexpr double nearly = 1.03;      // times the cost: as good
+constexpr double nearly = 1.03;      // times the cost: as good,
+constexpr double asGood = 1.25;      // or not worth more time
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
 constexpr double leastEffect = 1e-7;                            // of a freedom, against the strongest one
 
@@ -256,20 +257,33 @@ private:
         return goRounds(edge);
     }
 
-    /// Rounds until they lead no farther.
-    bool goRounds(double edge)
+    /// The cover of the present pattern as it comes to rest by itself, and what derivatives come from; null when
+    /// there is none.
+    std::unique_ptr<WarmCover> beginRounds(double edge)
     {
-        const auto cover = coverOf(m_result.design, edge);
+        std::unique_ptr<WarmCover> cover = coverOf(m_result.design, edge);
         if (!cover || m_stop.stop_requested())
-            return false;
+            return nullptr;
         WarmOrder beside = orderFor(m_fewAreLike ? m_fewEdge : edge);
         beside.iterationsBeside = iterationsBeside;
         const SolveInput here{m_result.design, m_input.files};
-        m_derivatives = std::make_unique<CoarseDerivatives>(here, beside, m_order.threads, m_stop);
-        if (!m_derivatives->problem().empty())
-            return fail(m_derivatives->problem());
+        auto derivatives = std::make_unique<CoarseDerivatives>(here, beside, m_order.threads, m_stop);
+        if (!derivatives->problem().empty()) {
+            fail(derivatives->problem());
+            return nullptr;
+        }
+        m_derivatives = std::move(derivatives);
+        return cover;
+    }
+
+    /// Rounds until they lead no farther.
+    bool goRounds(double edge)
+    {
+        std::unique_ptr<WarmCover> cover = beginRounds(edge);
+        if (!cover)
+            return false;
         double damping = 1e-3;
-        bool shorter = false;
+        bool anew = false, shorter = false;
         for (int round = 0; round < m_order.mostRounds; ++round) {
             // It may be where the last try has left it.
             if (m_stop.stop_requested() || !cover->follow(m_result.design, m_stop))
@@ -278,9 +292,19 @@ private:
             const Outcome outcome = step(*cover, damping, round);
             if (!m_result.reason.empty())
                 return false;
-            const bool stuck = followsForm() && m_promised > stuckPromise * m_reached;
-            if (outcome != Outcome::Better && !(stuck && !std::exchange(shorter, true)))
-                break; // else once more, with the shorter steps that damping has come to
+            if (outcome == Outcome::Better)
+                continue;
+            if (!followsForm() || m_promised <= stuckPromise * m_reached)
+                break;
+            // What is promised does not come: by itself the cover may rest where it does.
+            std::unique_ptr<WarmCover> own = std::exchange(anew, true) ? nullptr : beginRounds(edge);
+            if (own) {
+                cover = std::move(own);
+                damping = 1e-3;
+            } else if (std::exchange(shorter, true)) {
+                break; // else with the shorter steps that damping has come to
+            }
+            m_result.reason = {}; // it has none
         }
         if (!m_stop.stop_requested() && cover->follow(m_result.design, m_stop))
             report(*cover, edge, 1);
@@ -315,9 +339,9 @@ private:
             m_result.after = m_rows.figures(*cover, m_result.design);
             if (cost < nearly * reached)
                 break;
-            if (followsForm() && goOnFrom(*cover))
+            if (followsForm() && cost < sprang * reached && goOnFrom(*cover)) // else it has other folds
                 continue;
-            if (cost < sprang * reached || ++improvements > mostImprovements)
+            if (cost < asGood * reached || ++improvements > mostImprovements)
                 break;
             m_fewAreLike = false; // they have led elsewhere
             if (!improve(edge))

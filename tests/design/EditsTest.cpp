@@ -62,6 +62,29 @@ TEST(EarlierPieces, AreThoseOfTheSameNamesAsFilesHaveThem)
               (std::vector<ElementId>{ElementId{1}, ElementId{2}, ElementId{3}}));
 }
 
+TEST(EarlierPieces, LeaveTheirPlacesToTheNewOnes)
+{
+    const auto square = [](const std::string& name, double side, const Vec2& position) {
+        Patch patch;
+        patch.name = name;
+        patch.outline = BSpline2(1, true, {{0, 0}, {side, 0}, {side, side}, {0, side}});
+        patch.position = position;
+        return patch;
+    };
+    const auto designOf = [](std::vector<Patch> patches) {
+        Design design;
+        for (Patch& patch : patches)
+            design = design.with({{}, {{design.nextId(), nullptr, makeElement(std::move(patch))}}});
+        return design;
+    };
+    const Design before = designOf({square("Back top", 100, {1000, 0}), square("Front", 100, {2000, 0})});
+    const Design made = designOf({square("Back_top", 110, {0, 0}), square("Front", 300, {0, -400})});
+    const Vec2 offset(50, -500);
+    const Design placed = withEarlierPlaces(before, made, offset);
+    EXPECT_EQ(placed.find<Patch>(ElementId{1})->position, Vec2(995, -5) - offset);
+    EXPECT_EQ(placed.find<Patch>(ElementId{2})->position, Vec2(0, -400)) << "it would lie on its neighbours";
+}
+
 TEST_F(Edits, ImpossibleMovesAreEmpty)
 {
     const std::vector<int> point = {0};

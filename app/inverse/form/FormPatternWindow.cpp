@@ -703,7 +703,7 @@ void FormPatternWindow::make()
     if (keepsOutside() && !frame()->contact)
         rest = rest.with({{}, {{frameId(), frameElement(), frameUnder()}}});
     Box2 there, own;
-    rest.each<Patch>([&](ElementId, const Patch& patch) {
+    m_document.design().each<Patch>([&](ElementId, const Patch& patch) {
         for (const Vec2& point : patch.outline.points())
             there.extend(toLayout(patch, point));
     });
@@ -714,9 +714,11 @@ void FormPatternWindow::make()
     const Vec2 offset =
         there.isEmpty() ? Vec2::Zero()
                         : Vec2(there.min().x() - own.min().x(), there.min().y() - besidePattern - own.max().y());
-    const Design named =
-        again ? edits::withEarlierNames(m_document.design(), m_made->pattern.design) : m_made->pattern.design;
-    const edits::Outcome outcome = edits::paste(rest, writeDesign(named), offset);
+    Design pattern = m_made->pattern.design;
+    if (again)
+        pattern = edits::withEarlierPlaces(m_document.design(),
+                                           edits::withEarlierNames(m_document.design(), pattern), offset);
+    const edits::Outcome outcome = edits::paste(rest, writeDesign(pattern), offset);
     if (outcome.edit.empty()) {
         m_said->setText(translated(outcome.problem));
         return;

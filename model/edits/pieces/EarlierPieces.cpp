@@ -38,6 +38,22 @@ void addNames(const Design& design, const Design& made, Edit& edit)
     });
 }
 
+constexpr double muchLarger = 1.3; // times: it would lie on its neighbours
+
+Box2 inLayout(const Patch& patch)
+{
+    Box2 box;
+    for (const Vec2& point : patch.outline.points())
+        box.extend(toLayout(patch, point));
+    return box;
+}
+
+bool aboutAsLarge(const Box2& one, const Box2& other)
+{
+    return (one.sizes().array() < muchLarger * other.sizes().array()).all() &&
+           (other.sizes().array() < muchLarger * one.sizes().array()).all();
+}
+
 } // namespace
 
 std::vector<ElementId> earlierPieces(const Design& design, const Design& made)
@@ -65,6 +81,23 @@ Design withEarlierNames(const Design& design, const Design& made)
     Edit edit;
     addNames<Patch>(design, made, edit);
     addNames<FixationCurve>(design, made, edit);
+    return edit.empty() ? made : made.with(edit);
+}
+
+Design withEarlierPlaces(const Design& design, const Design& made, const Vec2& offset)
+{
+    std::map<std::string, Box2> boxes;
+    design.each<Patch>([&](ElementId, const Patch& patch) { boxes.emplace(spaced(patch.name), inLayout(patch)); });
+    Edit edit;
+    made.each<Patch>([&](ElementId id, const Patch& patch) {
+        const auto earlier = boxes.find(spaced(patch.name));
+        const Box2 now = inLayout(patch);
+        if (earlier == boxes.end() || !aboutAsLarge(now, earlier->second))
+            return;
+        Patch placed = patch;
+        placed.position += earlier->second.center() - now.center() - offset;
+        edit.changes.push_back({id, made.element(id), makeElement(std::move(placed))});
+    });
     return edit.empty() ? made : made.with(edit);
 }
 
