@@ -9636,45 +9636,59 @@
         <translation>Schnitt &amp;machen</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>wo ihre &amp;Gruppen aneinanderstoßen</translation>
+        <source>Laying it flat …</source>
+        <translation>Wird flach gelegt …</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>wo sie sich stärker &amp;biegt als</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>Ohne das Weggelassene &amp;machen</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>Eine Form wird abgewickelt …</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>&amp;Form</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>&amp;Stoff</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Wählen Sie oben eine Datei mit einer Form, oder importieren Sie zuerst ein Gestell.</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>Geschnitten wird</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Sie wird wieder flach gelegt, wenn Sie loslassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Wird geteilt, bisher %n Teil …</numerusform>
+            <numerusform>Wird geteilt, bisher %n Teile …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>und entlang der angehakten Linien:</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Flach legen</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>Der Bezug, wie er ist</translation>
+        <source>It was stopped.</source>
+        <translation>Es wurde angehalten.</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>Neuer Stoff</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Es wurde angehalten. Das sind die Teile von zuvor.</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>Aus einer Form</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>Die Form, die bezogen werden soll</translation>
@@ -9682,18 +9696,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>Netze und CAD-Dateien (%1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Stoff</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>Wird flach gelegt …</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>Ohne das Weggelassene &amp;machen</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9712,28 +9714,28 @@
         <translation>zur Seite</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>&amp;Stoff</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>Faden&amp;lauf</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>Eine Form wird abgewickelt …</translation>
+        <source>It is cut</source>
+        <translation>Geschnitten wird</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Was daraus wurde</translation>
+        <source>and along the ticked lines:</source>
+        <translation>und entlang der angehakten Linien:</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>Form wählen</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>Wählen Sie oben eine Datei mit einer Form, oder importieren Sie zuerst ein Gestell.</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>wo ihre &amp;Gruppen aneinanderstoßen</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9744,6 +9746,18 @@
         <translation>Jede Fläche so, wie das CAD-Programm sie hat, auch wo zwei glatt ineinander übergehen</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>wo sie sich stärker &amp;biegt als</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>wo sie &amp;nicht flach läge</translation>
     </message>
@@ -9752,19 +9766,32 @@
         <translation>Teile, die über sich selbst lägen oder stärker gedehnt würden, als der Stoff darf, werden geteilt, wo sie sich am meisten biegen oder schmal sind; ein Sessel braucht einige Sekunden</translation>
     </message>
     <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>Sie wird wieder flach gelegt, wenn Sie loslassen.</translation>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Ihren Bezug &amp;außerhalb des Gestells halten</translation>
     </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>Wird geteilt, bisher %n Teil …</numerusform>
-            <numerusform>Wird geteilt, bisher %n Teile …</numerusform>
-        </translation>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Beim Erstellen des Schnitts wird beim Gestell „Hält den Bezug außerhalb“ angehakt. Ein Bezug, der nur an seinen Nähten gehalten ist, kann in das Gestell sinken oder sich nach innen stülpen.</translation>
     </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Was aus dieser Form zuvor wurde, geht, mit seinen Nähten und den Kurven, die nichts anderes halten. Einmal Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>Der Bezug, wie er ist</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Form wählen</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>Neuer Stoff</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
     </message>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
@@ -9773,36 +9800,12 @@
             <numerusform>Die %n Schnittteile dieser Namen e&amp;rsetzen</numerusform>
         </translation>
     </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>&amp;Flach legen</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>Es wurde angehalten.</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>Es wurde angehalten. Das sind die Teile von zuvor.</translation>
-    </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>(%n Kurve, die sie hält, hält dann nichts mehr)</numerusform>
             <numerusform>(%n Kurven, die sie halten, halten dann nichts mehr)</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>Aus einer Form</translation>
-    </message>
-    <message>
-        <source>Keep its cover &amp;outside of the frame</source>
-        <translation>Ihren Bezug &amp;außerhalb des Gestells halten</translation>
-    </message>
-    <message>
-        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
-        <translation>Beim Erstellen des Schnitts wird beim Gestell „Hält den Bezug außerhalb“ angehakt. Ein Bezug, der nur an seinen Nähten gehalten ist, kann in das Gestell sinken oder sich nach innen stülpen.</translation>
     </message>
 </context>
 <context>

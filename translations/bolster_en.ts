@@ -190,6 +190,9 @@
             <numerusform>Dividing it, %n pieces so far …</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
         <translation>

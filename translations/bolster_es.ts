@@ -9636,45 +9636,59 @@
         <translation>&amp;Hacer el patrón</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>donde se &amp;juntan sus grupos</translation>
+        <source>Laying it flat …</source>
+        <translation>Aplanando…</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>donde se &amp;dobla más de</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>&amp;Hacerlo sin lo omitido</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>Aplanando una forma…</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>Ángulo</translation>
+        <source>What came of it</source>
+        <translation>Lo que resultó</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>&amp;Forma</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>&amp;Tela</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Elija arriba un archivo con una forma, o importe primero un armazón.</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>Se corta</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Se volverá a aplanar cuando suelte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Dividiendo, %n pieza hasta ahora …</numerusform>
+            <numerusform>Dividiendo, %n piezas hasta ahora …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>y por las líneas marcadas:</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Aplanar</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>La funda como está</translation>
+        <source>It was stopped.</source>
+        <translation>Se ha detenido.</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>Tela nueva</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Se ha detenido. Estas son las piezas de antes.</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>A partir de una forma</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>La forma que se debe enfundar</translation>
@@ -9682,18 +9696,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>Mallas y archivos CAD (%1);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Tela</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>Aplanando…</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>&amp;Hacerlo sin lo omitido</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9712,28 +9714,28 @@
         <translation>hacia el lado</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>&amp;Forma</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>&amp;Tela</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>&amp;Hilo</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>Aplanando una forma…</translation>
+        <source>It is cut</source>
+        <translation>Se corta</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Lo que resultó</translation>
+        <source>and along the ticked lines:</source>
+        <translation>y por las líneas marcadas:</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Detener</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>Elegir una forma</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>Elija arriba un archivo con una forma, o importe primero un armazón.</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>donde se &amp;juntan sus grupos</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9744,6 +9746,18 @@
         <translation>Cada cara como la tiene el programa de CAD, también donde dos continúan suavemente una en otra</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>donde se &amp;dobla más de</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>do&amp;nde no quedaría plana</translation>
     </message>
@@ -9752,19 +9766,32 @@
         <translation>Las piezas que quedarían sobre sí mismas, o se estirarían más de lo que admite la tela, se dividen donde más se doblan o son estrechas; un sillón tarda unos segundos</translation>
     </message>
     <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>Se volverá a aplanar cuando suelte.</translation>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Mantener su funda fuera del arma&amp;zón</translation>
     </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>Dividiendo, %n pieza hasta ahora …</numerusform>
-            <numerusform>Dividiendo, %n piezas hasta ahora …</numerusform>
-        </translation>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Al hacer el patrón se marca «Mantiene la funda fuera» en el armazón. Una funda sujeta solo por sus costuras puede hundirse en el armazón o volverse del revés.</translation>
     </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Las piezas que antes salieron de esta forma se van, con sus costuras y las curvas que no sujetan otra cosa. Un solo Deshacer las devuelve.</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>La funda como está</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Elegir una forma</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>Tela nueva</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Tela</translation>
     </message>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
@@ -9773,36 +9800,12 @@
             <numerusform>&amp;Reemplazar las %n piezas de estos nombres</numerusform>
         </translation>
     </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>&amp;Aplanar</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>Se ha detenido.</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>Se ha detenido. Estas son las piezas de antes.</translation>
-    </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>(%n curva que las sujeta no sujetará nada)</numerusform>
             <numerusform>(%n curvas que las sujetan no sujetarán nada)</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>A partir de una forma</translation>
-    </message>
-    <message>
-        <source>Keep its cover &amp;outside of the frame</source>
-        <translation>Mantener su funda fuera del arma&amp;zón</translation>
-    </message>
-    <message>
-        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
-        <translation>Al hacer el patrón se marca «Mantiene la funda fuera» en el armazón. Una funda sujeta solo por sus costuras puede hundirse en el armazón o volverse del revés.</translation>
     </message>
 </context>
 <context>

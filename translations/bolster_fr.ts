@@ -9636,45 +9636,59 @@
         <translation>&amp;Faire le patron</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>là où ses &amp;parties se rejoignent</translation>
+        <source>Laying it flat …</source>
+        <translation>Mise à plat…</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>là où elle se pl&amp;ie de plus de</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>&amp;Faire sans ce qui est omis</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>Mise à plat d’une forme…</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>Angle</translation>
+        <source>What came of it</source>
+        <translation>Ce qui en est résulté</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>F&amp;orme</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>&amp;Tissu</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Choisissez ci-dessus un fichier avec une forme, ou importez d’abord une armature.</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>Elle est coupée</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Elle sera remise à plat quand vous relâcherez.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Division, %n pièce jusqu’ici …</numerusform>
+            <numerusform>Division, %n pièces jusqu’ici …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>et le long des lignes cochées&#x202f;:</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Mettre à plat</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>La housse telle quelle</translation>
+        <source>It was stopped.</source>
+        <translation>Arrêté.</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>Nouveau tissu</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Arrêté. Ce sont les pièces d’avant.</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>D’après une forme</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>La forme à recouvrir</translation>
@@ -9682,18 +9696,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>Maillages et fichiers CAO (%1);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Tissu</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>Mise à plat…</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>&amp;Faire sans ce qui est omis</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9712,28 +9714,28 @@
         <translation>de côté</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>F&amp;orme</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>&amp;Tissu</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>&amp;Droit-fil</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>Mise à plat d’une forme…</translation>
+        <source>It is cut</source>
+        <translation>Elle est coupée</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Ce qui en est résulté</translation>
+        <source>and along the ticked lines:</source>
+        <translation>et le long des lignes cochées :</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>Choisir une forme</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>Choisissez ci-dessus un fichier avec une forme, ou importez d’abord une armature.</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>là où ses &amp;parties se rejoignent</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9744,57 +9746,24 @@
         <translation>Chaque face telle que le programme de CAO la connaît, même là où deux se prolongent sans pli</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>là où elle se pl&amp;ie de plus de</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>là où elle &amp;ne serait pas à plat</translation>
     </message>
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
-        <translation>Les pièces qui se recouvriraient, ou seraient plus étirées que le tissu ne l’admet, sont divisées là où elles se plient le plus ou sont étroites&#x202f;; un fauteuil prend quelques secondes</translation>
-    </message>
-    <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>Elle sera remise à plat quand vous relâcherez.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>Division, %n pièce jusqu’ici …</numerusform>
-            <numerusform>Division, %n pièces jusqu’ici …</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
-        <translation>Les pièces issues auparavant de cette forme disparaissent, avec leurs coutures et les courbes qui ne tiennent rien d’autre. Une seule annulation les ramène.</translation>
-    </message>
-    <message numerus="yes">
-        <source>&amp;Replace the %n patches of these names</source>
-        <translation>
-            <numerusform>&amp;Remplacer la %n pièce de ce nom</numerusform>
-            <numerusform>&amp;Remplacer les %n pièces de ces noms</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>&amp;Mettre à plat</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>Arrêté.</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>Arrêté. Ce sont les pièces d’avant.</translation>
-    </message>
-    <message numerus="yes">
-        <source>(%n curves that hold them will hold nothing)</source>
-        <translation>
-            <numerusform>(%n courbe qui les tient ne tiendra plus rien)</numerusform>
-            <numerusform>(%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>D’après une forme</translation>
+        <translation>Les pièces qui se recouvriraient, ou seraient plus étirées que le tissu ne l’admet, sont divisées là où elles se plient le plus ou sont étroites ; un fauteuil prend quelques secondes</translation>
     </message>
     <message>
         <source>Keep its cover &amp;outside of the frame</source>
@@ -9803,6 +9772,40 @@
     <message>
         <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
         <translation>Faire le patron coche « Garde la housse dehors » pour l’armature. Une housse tenue par ses seules coutures peut s’enfoncer dans l’armature ou se retourner.</translation>
+    </message>
+    <message>
+        <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
+        <translation>Les pièces issues auparavant de cette forme disparaissent, avec leurs coutures et les courbes qui ne tiennent rien d’autre. Une seule annulation les ramène.</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>La housse telle quelle</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Choisir une forme</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>Nouveau tissu</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Tissu</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Replace the %n patches of these names</source>
+        <translation>
+            <numerusform>&amp;Remplacer la %n pièce de ce nom</numerusform>
+            <numerusform>&amp;Remplacer les %n pièces de ces noms</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n curves that hold them will hold nothing)</source>
+        <translation>
+            <numerusform>(%n courbe qui les tient ne tiendra plus rien)</numerusform>
+            <numerusform>(%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -9636,45 +9636,59 @@
         <translation>&amp;Crea il cartamodello</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>dove le sue &amp;parti si incontrano</translation>
+        <source>Laying it flat …</source>
+        <translation>Stesura in piano…</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>dove si pie&amp;ga più di</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>&amp;Crea senza ciò che è omesso</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>Stesura in piano di una forma…</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>Angolo</translation>
+        <source>What came of it</source>
+        <translation>Che cosa ne è venuto</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>&amp;Forma</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Interrompi</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>&amp;Tessuto</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Scegli sopra un file con una forma, oppure importa prima un telaio.</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>Si taglia</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Sarà stesa di nuovo in piano al rilascio.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Divisione, %n pezzo finora …</numerusform>
+            <numerusform>Divisione, %n pezzi finora …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>e lungo le linee spuntate:</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Stendi in piano</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>Il rivestimento com’è</translation>
+        <source>It was stopped.</source>
+        <translation>È stato fermato.</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>Nuovo tessuto</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>È stato fermato. Questi sono i pezzi di prima.</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>Da una forma</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>La forma da rivestire</translation>
@@ -9682,18 +9696,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>Mesh e file CAD (%1);;Tutti i file (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Tessuto</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>Stesura in piano…</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>&amp;Crea senza ciò che è omesso</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9712,28 +9714,28 @@
         <translation>di lato</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>&amp;Forma</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>&amp;Tessuto</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>&amp;Drittofilo</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>Stesura in piano di una forma…</translation>
+        <source>It is cut</source>
+        <translation>Si taglia</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Che cosa ne è venuto</translation>
+        <source>and along the ticked lines:</source>
+        <translation>e lungo le linee spuntate:</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Interrompi</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>Scegli una forma</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>Scegli sopra un file con una forma, oppure importa prima un telaio.</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>dove le sue &amp;parti si incontrano</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9744,6 +9746,18 @@
         <translation>Ogni faccia come la conosce il programma CAD, anche dove due proseguono dolcemente l&apos;una nell&apos;altra</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>dove si pie&amp;ga più di</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angolo</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>dove &amp;non starebbe in piano</translation>
     </message>
@@ -9752,19 +9766,32 @@
         <translation>I pezzi che si sovrapporrebbero, o si tenderebbero più di quanto il tessuto consente, sono divisi dove si piegano di più o sono stretti; una poltrona richiede alcuni secondi</translation>
     </message>
     <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>Sarà stesa di nuovo in piano al rilascio.</translation>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Tenere il suo rivestimento fu&amp;ori dal telaio</translation>
     </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>Divisione, %n pezzo finora …</numerusform>
-            <numerusform>Divisione, %n pezzi finora …</numerusform>
-        </translation>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Facendo il cartamodello si spunta «Tiene fuori il rivestimento» nel telaio. Un rivestimento tenuto solo lungo le cuciture può affondare nel telaio o rovesciarsi.</translation>
     </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>I pezzi nati prima da questa forma se ne vanno, con le loro cuciture e le curve che non tengono altro. Un solo Annulla li riporta.</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>Il rivestimento com’è</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Scegli una forma</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>Nuovo tessuto</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Tessuto</translation>
     </message>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
@@ -9773,36 +9800,12 @@
             <numerusform>Sostitui&amp;re i %n pezzi con questi nomi</numerusform>
         </translation>
     </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>&amp;Stendi in piano</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>È stato fermato.</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>È stato fermato. Questi sono i pezzi di prima.</translation>
-    </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>(%n curva che li tiene non terrà più niente)</numerusform>
             <numerusform>(%n curve che li tengono non terranno più niente)</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>Da una forma</translation>
-    </message>
-    <message>
-        <source>Keep its cover &amp;outside of the frame</source>
-        <translation>Tenere il suo rivestimento fu&amp;ori dal telaio</translation>
-    </message>
-    <message>
-        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
-        <translation>Facendo il cartamodello si spunta «Tiene fuori il rivestimento» nel telaio. Un rivestimento tenuto solo lungo le cuciture può affondare nel telaio o rovesciarsi.</translation>
     </message>
 </context>
 <context>

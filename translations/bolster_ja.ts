@@ -9615,45 +9615,58 @@
         <translation>型紙を作成(&amp;M)</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>グループの境目(&amp;P)</translation>
+        <source>Laying it flat …</source>
+        <translation>展開しています…</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>曲がりが次を超える所(&amp;B)</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>除外したもの以外で作成(&amp;M)</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>形状を平らに展開しています…</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>角度</translation>
+        <source>What came of it</source>
+        <translation>結果</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>形状(&amp;F)</translation>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>生地(&amp;B)</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>上で形状のファイルを選ぶか、先にフレームを読み込んでください。</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>切る場所</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>放すと、もう一度平らに展開します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>分割中、これまでに %n 個 …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>チェックした線でも切る:</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>平らに展開(&amp;L)</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>現在のカバー</translation>
+        <source>It was stopped.</source>
+        <translation>停止しました。</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>新しい生地</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>停止しました。これは以前のパーツです。</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>形状から</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>カバーをかける形状</translation>
@@ -9661,18 +9674,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>メッシュと CAD ファイル (%1);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>生地</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>展開しています…</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>除外したもの以外で作成(&amp;M)</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9691,28 +9692,28 @@
         <translation>横へ</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>形状(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>生地(&amp;B)</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>地の目(&amp;G)</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>形状を平らに展開しています…</translation>
+        <source>It is cut</source>
+        <translation>切る場所</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>結果</translation>
+        <source>and along the ticked lines:</source>
+        <translation>チェックした線でも切る:</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>停止(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>形状を選択</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>上で形状のファイルを選ぶか、先にフレームを読み込んでください。</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>グループの境目(&amp;P)</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9723,6 +9724,18 @@
         <translation>CAD プログラムにあるとおりの面ごとに。滑らかにつながる面どうしも分けます</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>曲がりが次を超える所(&amp;B)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>平らにならない所(&amp;N)</translation>
     </message>
@@ -9731,18 +9744,32 @@
         <translation>自身と重なるパーツや、生地の許容を超えて伸びるパーツを、最も曲がる所や細い所で分割します。肘掛け椅子で数秒かかります</translation>
     </message>
     <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>放すと、もう一度平らに展開します。</translation>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>カバーをフレームの外側に保つ(&amp;O)</translation>
     </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>分割中、これまでに %n 個 …</numerusform>
-        </translation>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>パターンを作ると、フレームの「カバーを外側に保つ」にチェックが入ります。縫い目だけで留められたカバーは、フレームに沈んだり裏返ったりすることがあります。</translation>
     </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>この形から以前作られたパーツが、その縫い目と、ほかに何も留めていないカーブとともに消えます。一度の「元に戻す」で戻ります。</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>現在のカバー</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>形状を選択</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>新しい生地</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>生地</translation>
     </message>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
@@ -9750,35 +9777,11 @@
             <numerusform>これらの名前のパーツ %n 個を置き換える(&amp;R)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>平らに展開(&amp;L)</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>停止しました。</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>停止しました。これは以前のパーツです。</translation>
-    </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>（それらを留めている曲線 %n 本は何も留めなくなります）</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>形状から</translation>
-    </message>
-    <message>
-        <source>Keep its cover &amp;outside of the frame</source>
-        <translation>カバーをフレームの外側に保つ(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
-        <translation>パターンを作ると、フレームの「カバーを外側に保つ」にチェックが入ります。縫い目だけで留められたカバーは、フレームに沈んだり裏返ったりすることがあります。</translation>
     </message>
 </context>
 <context>

@@ -9657,45 +9657,60 @@
         <translation>&amp;Utwórz wykrój</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>tam, gdzie stykają się jej &amp;części</translation>
+        <source>Laying it flat …</source>
+        <translation>Rozkładanie na płasko…</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>tam, gdzie &amp;zagina się o więcej niż</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>&amp;Utwórz bez pominiętego</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>Rozkładanie formy na płasko…</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>Kąt</translation>
+        <source>What came of it</source>
+        <translation>Co z tego wyszło</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>&amp;Forma</translation>
+        <source>&amp;Stop</source>
+        <translation>Za&amp;trzymaj</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>&amp;Materiał</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>Wybierz powyżej plik z formą albo najpierw zaimportuj stelaż.</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>Cięcie</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>Zostanie ponownie rozłożona, gdy puścisz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>Dzielenie, dotąd %n kawałek …</numerusform>
+            <numerusform>Dzielenie, dotąd %n kawałki …</numerusform>
+            <numerusform>Dzielenie, dotąd %n kawałków …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>oraz wzdłuż zaznaczonych linii:</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>&amp;Rozłóż na płasko</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>Obecny pokrowiec</translation>
+        <source>It was stopped.</source>
+        <translation>Zatrzymano.</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>Nowy materiał</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>Zatrzymano. To są poprzednie elementy.</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>Z formy</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>Forma do pokrycia</translation>
@@ -9703,18 +9718,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>Siatki i pliki CAD (%1);;Wszystkie pliki (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Materiał</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>Rozkładanie na płasko…</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>&amp;Utwórz bez pominiętego</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9733,28 +9736,28 @@
         <translation>w bok</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>&amp;Forma</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>&amp;Materiał</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>Kierunek &amp;nitki</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>Rozkładanie formy na płasko…</translation>
+        <source>It is cut</source>
+        <translation>Cięcie</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Co z tego wyszło</translation>
+        <source>and along the ticked lines:</source>
+        <translation>oraz wzdłuż zaznaczonych linii:</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>Za&amp;trzymaj</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>Wybierz formę</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>Wybierz powyżej plik z formą albo najpierw zaimportuj stelaż.</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>tam, gdzie stykają się jej &amp;części</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9765,6 +9768,18 @@
         <translation>Każda ściana tak, jak zna ją program CAD, także tam, gdzie dwie gładko przechodzą w siebie</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>tam, gdzie &amp;zagina się o więcej niż</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Kąt</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>tam, gdzie &amp;nie leżałaby płasko</translation>
     </message>
@@ -9773,20 +9788,32 @@
         <translation>Kawałki, które nachodziłyby same na siebie lub byłyby rozciągnięte bardziej, niż tkanina pozwala, są dzielone tam, gdzie najbardziej się zaginają lub są wąskie; fotel zajmuje kilka sekund</translation>
     </message>
     <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>Zostanie ponownie rozłożona, gdy puścisz.</translation>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>Nie wpuszczaj jego pokr&amp;owca w stelaż</translation>
     </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>Dzielenie, dotąd %n kawałek …</numerusform>
-            <numerusform>Dzielenie, dotąd %n kawałki …</numerusform>
-            <numerusform>Dzielenie, dotąd %n kawałków …</numerusform>
-        </translation>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>Utworzenie wykroju zaznacza przy stelażu „Nie wpuszcza pokrowca”. Pokrowiec trzymany tylko wzdłuż szwów może zapaść się w stelaż albo wywrócić na lewą stronę.</translation>
     </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>Elementy, które wcześniej powstały z tej formy, znikają, z ich szwami i krzywymi, które nie trzymają nic innego. Jedno Cofnij je przywraca.</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>Obecny pokrowiec</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>Wybierz formę</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>Nowy materiał</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Materiał</translation>
     </message>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
@@ -9796,18 +9823,6 @@
             <numerusform>&amp;Zastąp elementy o tych nazwach (%n)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>&amp;Rozłóż na płasko</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>Zatrzymano.</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>Zatrzymano. To są poprzednie elementy.</translation>
-    </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
@@ -9815,18 +9830,6 @@
             <numerusform>(%n krzywe, które je trzymają, nie będą trzymać niczego)</numerusform>
             <numerusform>(%n krzywych, które je trzymają, nie będzie trzymać niczego)</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>Z formy</translation>
-    </message>
-    <message>
-        <source>Keep its cover &amp;outside of the frame</source>
-        <translation>Nie wpuszczaj jego pokr&amp;owca w stelaż</translation>
-    </message>
-    <message>
-        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
-        <translation>Utworzenie wykroju zaznacza przy stelażu „Nie wpuszcza pokrowca”. Pokrowiec trzymany tylko wzdłuż szwów może zapaść się w stelaż albo wywrócić na lewą stronę.</translation>
     </message>
 </context>
 <context>

@@ -9615,45 +9615,58 @@
         <translation>生成样板(&amp;M)</translation>
     </message>
     <message>
-        <source>where its &amp;parts meet</source>
-        <translation>在部件相接处(&amp;P)</translation>
+        <source>Laying it flat …</source>
+        <translation>正在展平…</translation>
     </message>
     <message>
-        <source>where it &amp;bends by more than</source>
-        <translation>在弯折大于此角处(&amp;B)</translation>
+        <source>&amp;Make it without what is left out</source>
+        <translation>不含略去部分生成(&amp;M)</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>Laying a form flat …</source>
+        <translation>正在展平形体…</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>角度</translation>
+        <source>What came of it</source>
+        <translation>结果</translation>
     </message>
     <message>
-        <source>&amp;Form</source>
-        <translation>形体(&amp;F)</translation>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>Fa&amp;bric</source>
-        <translation>面料(&amp;B)</translation>
+        <source>Choose a file with a form above, or import a frame first.</source>
+        <translation>请在上方选择形体文件，或先导入骨架。</translation>
     </message>
     <message>
-        <source>It is cut</source>
-        <translation>切分位置</translation>
+        <source>It is laid flat again when you let go.</source>
+        <translation>松开后会重新展平。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dividing it, %n pieces so far …</source>
+        <translation>
+            <numerusform>正在划分，目前 %n 片 …</numerusform>
+        </translation>
     </message>
     <message>
-        <source>and along the ticked lines:</source>
-        <translation>以及沿勾选的线：</translation>
+        <source>&amp;Lay it flat</source>
+        <translation>展平(&amp;L)</translation>
     </message>
     <message>
-        <source>The cover as it is</source>
-        <translation>当前的面套</translation>
+        <source>It was stopped.</source>
+        <translation>已停止。</translation>
     </message>
     <message>
-        <source>New fabric</source>
-        <translation>新面料</translation>
+        <source>It was stopped. These are the pieces from before.</source>
+        <translation>已停止。这些是之前的样片。</translation>
     </message>
+    <message>
+        <source>From a form</source>
+        <translation>由形体生成</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FormWishesPanel</name>
     <message>
         <source>The form to be covered</source>
         <translation>要覆面的形体</translation>
@@ -9661,18 +9674,6 @@
     <message>
         <source>Meshes and CAD files (%1);;All files (*)</source>
         <translation>网格和 CAD 文件 (%1);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>面料</translation>
-    </message>
-    <message>
-        <source>Laying it flat …</source>
-        <translation>正在展平…</translation>
-    </message>
-    <message>
-        <source>&amp;Make it without what is left out</source>
-        <translation>不含略去部分生成(&amp;M)</translation>
     </message>
     <message>
         <source>Where the grain line runs on the form</source>
@@ -9691,28 +9692,28 @@
         <translation>横向</translation>
     </message>
     <message>
+        <source>&amp;Form</source>
+        <translation>形体(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric</source>
+        <translation>面料(&amp;B)</translation>
+    </message>
+    <message>
         <source>&amp;Grain runs</source>
         <translation>布纹走向(&amp;G)</translation>
     </message>
     <message>
-        <source>Laying a form flat …</source>
-        <translation>正在展平形体…</translation>
+        <source>It is cut</source>
+        <translation>切分位置</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>结果</translation>
+        <source>and along the ticked lines:</source>
+        <translation>以及沿勾选的线：</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>停止(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Choose a form</source>
-        <translation>选择形体</translation>
-    </message>
-    <message>
-        <source>Choose a file with a form above, or import a frame first.</source>
-        <translation>请在上方选择形体文件，或先导入骨架。</translation>
+        <source>where its &amp;parts meet</source>
+        <translation>在部件相接处(&amp;P)</translation>
     </message>
     <message>
         <source>at the edges of its &amp;CAD faces</source>
@@ -9723,6 +9724,18 @@
         <translation>按 CAD 程序中的每个面切开，平滑相接的面也分开</translation>
     </message>
     <message>
+        <source>where it &amp;bends by more than</source>
+        <translation>在弯折大于此角处(&amp;B)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
         <source>where it would &amp;not lie flat</source>
         <translation>在无法展平处(&amp;N)</translation>
     </message>
@@ -9731,18 +9744,32 @@
         <translation>会与自身重叠或拉伸超过面料允许值的样片，在弯折最大或狭窄处划分；一张扶手椅需几秒钟</translation>
     </message>
     <message>
-        <source>It is laid flat again when you let go.</source>
-        <translation>松开后会重新展平。</translation>
+        <source>Keep its cover &amp;outside of the frame</source>
+        <translation>使其面套不陷入骨架(&amp;O)</translation>
     </message>
-    <message numerus="yes">
-        <source>Dividing it, %n pieces so far …</source>
-        <translation>
-            <numerusform>正在划分，目前 %n 片 …</numerusform>
-        </translation>
+    <message>
+        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
+        <translation>生成样板时会在骨架处勾选“挡住面套”。只沿缝线固定的面套可能陷入骨架或翻转过来。</translation>
     </message>
     <message>
         <source>Patches that this form became before go, with their seams and the curves that hold nothing else. One Undo brings them back.</source>
         <translation>此前由该形体生成的样片将被移除，连同其缝线以及不固定其他任何东西的曲线。撤销一次即可恢复。</translation>
+    </message>
+    <message>
+        <source>The cover as it is</source>
+        <translation>当前的面套</translation>
+    </message>
+    <message>
+        <source>Choose a form</source>
+        <translation>选择形体</translation>
+    </message>
+    <message>
+        <source>New fabric</source>
+        <translation>新面料</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>面料</translation>
     </message>
     <message numerus="yes">
         <source>&amp;Replace the %n patches of these names</source>
@@ -9750,35 +9777,11 @@
             <numerusform>替换这些名称的 %n 个样片(&amp;R)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>&amp;Lay it flat</source>
-        <translation>展平(&amp;L)</translation>
-    </message>
-    <message>
-        <source>It was stopped.</source>
-        <translation>已停止。</translation>
-    </message>
-    <message>
-        <source>It was stopped. These are the pieces from before.</source>
-        <translation>已停止。这些是之前的样片。</translation>
-    </message>
     <message numerus="yes">
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>（固定它们的 %n 条曲线将不再固定任何东西）</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>From a form</source>
-        <translation>由形体生成</translation>
-    </message>
-    <message>
-        <source>Keep its cover &amp;outside of the frame</source>
-        <translation>使其面套不陷入骨架(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Making the pattern ticks &quot;Keeps the cover outside&quot; at the frame. A cover that is held along its seams alone may sink into the frame or turn inside out.</source>
-        <translation>生成样板时会在骨架处勾选“挡住面套”。只沿缝线固定的面套可能陷入骨架或翻转过来。</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "CoverView.h"
 #include "DesignSession.h"
 #include "FormPatternWindow.h"
+#include "FormWishesPanel.h"
 #include "PatternFitWindow.h"
 #include "PatternView.h"
 #include "ReliefWindow.h"

@@ -8,14 +8,11 @@
 #include "SurfaceMesh.h"
 
 #include <QDialog>
-#include <QVariant>
 
 #include <map>
 #include <memory>
 #include <optional>
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -23,24 +20,12 @@ class QStackedWidget;
 namespace bolster {
 
 class DesignSession;
-class FileChoice;
 class FlatPiecesView;
-class NumberBox;
+class FormWishesPanel;
+struct FormPatternWishes;
 class RunningJob;
-class SeamLineList;
 class ShownScene;
 class SolverLink;
-
-/// What the window was filled in with, to be filled in again.
-struct FormPatternWishes {
-    bool known = false; ///< else what is usual counts
-    QVariant form, fabric;
-    QString file;
-    int grain = 0;
-    std::vector<bool> ticks;                      ///< of the ways it is cut
-    double angle = 0;                             ///< degrees
-    std::map<quint32, Qt::CheckState> lines = {}; ///< by their numbers
-};
 
 class FormPatternWindow : public QDialog {
     Q_OBJECT
@@ -63,16 +48,8 @@ signals:
 
 private:
     void build();
-    QWidget* buildWishes();
     QLayout* buildProgress();
-    void fillIn(const FormPatternWishes& wishes);
-    FormPatternWishes wishes() const;
-    std::vector<QCheckBox*> waysToCut() const;
-    void fillForms();
-    int largestOf(int frames) const;
-    void fillFabrics();
     void formChosen();
-    void tickLines();
     void ask(bool draft);
     void setRunning(bool running);
     void stop();
@@ -81,23 +58,10 @@ private:
     void say();
     void showOnForm();
     void tellOfFile();
-    void offerOutside();
-    void offerToReplace();
-    void sayWhatIsFreed();
     void solveCover();
     void make();
     void documentChanged();
-    bool isCover() const;
-    Fabric fabric() const;
-    FormGrain grain() const;
-    const Frame* frame() const;
-    QString cadFile() const;
-    std::shared_ptr<const TriangleMesh> mesh() const;
-    ElementId frameId() const;
-    ElementPtr frameElement() const;
-    ElementPtr frameUnder() const;
     bool takeMesh();
-    bool keepsOutside() const;
     Message verb(bool again) const;
 
     DesignSession& m_session;
@@ -105,14 +69,9 @@ private:
     SolverLink& m_solver;
     ShownScene& m_scene;
     std::shared_ptr<FormPatternWishes> m_remembered;
-    FileChoice* m_form = nullptr;
-    QComboBox *m_fabric = nullptr, *m_grain = nullptr;
-    QCheckBox *m_groups = nullptr, *m_faces = nullptr, *m_bends = nullptr, *m_divide = nullptr,
-              *m_outside = nullptr, *m_replace = nullptr;
-    NumberBox* m_angle = nullptr;
-    SeamLineList* m_lines = nullptr;
+    FormWishesPanel* m_wishes = nullptr;
     FlatPiecesView* m_view = nullptr;
-    QLabel *m_said = nullptr, *m_replaceNote = nullptr;
+    QLabel* m_said = nullptr;
     QPushButton *m_make = nullptr, *m_stop = nullptr;
     QStackedWidget* m_progress = nullptr;
     QWidget *m_idle = nullptr, *m_busy = nullptr, *m_stopped = nullptr; ///< its pages
@@ -123,13 +82,11 @@ private:
     std::optional<FormCover> m_cover; ///< of what was made, when it is known
     bool m_solving = false;           ///< it will be
     bool m_solvedOutside = false;     ///< of the frame
-    int m_freed = 0;                  ///< curves that hold nothing when patches are replaced
     int m_asked = 0;
     std::unique_ptr<RunningJob> m_running; ///< but for drafts
     bool m_drafted = false;                ///< what was asked for last was a draft
     bool m_upToDate = false;
     QString m_shownFile;                   ///< whose form was told to be seen
-    bool m_linesElsewhere = false;         ///< than on the form
     LatestJob<FormWanted, FormMade> m_job; ///< last: they use the others
     LatestJob<FormCoverWanted, FormCover> m_coverJob;
 };
