@@ -5,6 +5,7 @@
 #include "FitGoals.h"
 #include "HeadedList.h"
 #include "PullNote.h"
+#include "Pulls.h"
 #include "RunRow.h"
 #include "ScanMeasure.h"
 #include "SolveFailure.h"

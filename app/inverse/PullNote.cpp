@@ -1,7 +1,7 @@
 #include "PullNote.h"
 
 #include "Document.h"
-#include "FitGoals.h"
+#include "Pulls.h"
 
 #include <algorithm>
 

@@ -2,11 +2,11 @@
 
 #include "DesignSession.h"
 #include "ElementText.h"
-#include "FitGoals.h"
 #include "HeadedList.h"
 #include "MapLink.h"
 #include "NumberBox.h"
 #include "PullNote.h"
+#include "Pulls.h"
 #include "RunRow.h"
 #include "Translated.h"
 #include "Units.h"

@@ -1,7 +1,7 @@
 #include "WarmCover.h"
 
 #include "CoarseStart.h"
-#include "FitGoals.h"
+#include "Pulls.h"
 #include "SeamEnds.h"
 #include "SheetFollow.h"
 #include "SolveFailure.h"

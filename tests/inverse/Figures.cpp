@@ -3,6 +3,7 @@
 #include "CoverMove.h"
 #include "CoverTeam.h"
 #include "DesignFile.h"
+#include "FitChange.h"
 #include "Flatten.h"
 #include "FormPattern.h"
 #include "MakeGhosts.h"

@@ -3,6 +3,7 @@
 #include "WarmCover.h" // before Qt, which has a macro "slots"
 
 #include "DesignFile.h"
+#include "FitChange.h"
 #include "RestingSolve.h"
 #include "TestFreedoms.h"
 #include "TestPaths.h"

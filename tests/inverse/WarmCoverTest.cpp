@@ -1,9 +1,9 @@
 // Covers that are found from one at rest.
 #include "WarmCover.h"
-#include "FitGoals.h"
 
 #include "CoverMove.h"
 #include "DesignFile.h"
+#include "Pulls.h"
 #include "TestFreedoms.h"
 #include "TestPaths.h"
 

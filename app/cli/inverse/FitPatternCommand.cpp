@@ -1,6 +1,7 @@
 #include "DesignJson.h"
 #include "DistinctFiles.h"
 #include "FabricFields.h"
+#include "FitChange.h"
 #include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"

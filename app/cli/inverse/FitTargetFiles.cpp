@@ -5,6 +5,7 @@
 #include "FormImport.h"
 #include "LengthUnits.h"
 #include "Output.h"
+#include "Pulls.h"
 
 namespace bolster::cli {
 

@@ -4,7 +4,7 @@
 #include "CoverTeam.h"
 #include "DesignCheck.h"
 #include "EditCheck.h"
-#include "FitGoals.h"
+#include "Pulls.h"
 #include "ReliefCandidates.h"
 #include "RestingSolve.h"
 

@@ -47,9 +47,6 @@ struct FitResult {
     bool jumped = false;           ///< folds came or went on the way
 };
 
-/// Where seams' sides differ by more or less than before, that is how much they are wanted to differ.
-Design withEases(const Design& before, const Design& changed);
-
 /// Gauss-Newton steps with Levenberg's damping, whose derivatives are differences of covers at rest; first on few
 /// triangles, then on those of the design, whose derivatives are still those of the few where these have led to
 /// what is right on many, too. A step is taken only if the cover that comes to rest is better. `progress`: share of
@@ -67,8 +64,5 @@ struct MeasuredChange {
 /// solved, or `stop`.
 std::optional<MeasuredChange> measureChange(const SolveInput& input, const FitOrder& order, const Design& changed,
                                             const std::stop_token& stop = {});
-
-/// How far the control points that an outline's freedoms move have moved, mm; of others their steps.
-double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& values);
 
 } // namespace bolster

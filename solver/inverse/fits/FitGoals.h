@@ -24,12 +24,6 @@ struct FitTarget {
 FitTarget targetOf(const TriangleMesh& mesh);
 FitTarget targetOf(const Scan& scan, const PointCloud& cloud);
 
-/// No scan pulls at the cover of this one: it is the cover that the pattern alone makes, which goals are about.
-Design withoutPulls(const Design& design);
-bool hasPulls(const Design& design);
-/// They differ at most in what pulls.
-bool hasSameCover(const Design& a, const Design& b);
-
 /// A seam that shall run along a curve, mm.
 struct SeamGoal {
     ElementId seam{};
