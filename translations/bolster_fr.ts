@@ -9731,7 +9731,7 @@
     </message>
     <message>
         <source>and along the ticked lines:</source>
-        <translation>et le long des lignes cochées :</translation>
+        <translation>et le long des lignes cochées&#x202f;:</translation>
     </message>
     <message>
         <source>where its &amp;parts meet</source>
@@ -9763,7 +9763,7 @@
     </message>
     <message>
         <source>Pieces that would lie over themselves, or be strained by more than the fabric may be, are divided where they bend most or are narrow; an armchair takes some seconds</source>
-        <translation>Les pièces qui se recouvriraient, ou seraient plus étirées que le tissu ne l’admet, sont divisées là où elles se plient le plus ou sont étroites ; un fauteuil prend quelques secondes</translation>
+        <translation>Les pièces qui se recouvriraient, ou seraient plus étirées que le tissu ne l’admet, sont divisées là où elles se plient le plus ou sont étroites&#x202f;; un fauteuil prend quelques secondes</translation>
     </message>
     <message>
         <source>Keep its cover &amp;outside of the frame</source>

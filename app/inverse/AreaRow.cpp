@@ -134,6 +134,8 @@ void AreaRow::take(const AreaBrushTool::Stamp& stamp)
     if (!surface || surface->positions.size() != surface->topology->pattern.size())
         return;
     m_radius->display(stamp.radius); // keys change it while it is painted
+    if (!stamp.paints)
+        return;
     const std::vector<AreaSpot> under = spotsUnder(stamp, *surface);
     if (stamp.erases) {
         std::erase_if(m_spots, [&](const AreaSpot& spot) {

@@ -198,6 +198,18 @@ TEST_F(FlattenTest, TheFormKeepsItsCoverOutside)
     EXPECT_EQ(elsewhere.exitCode, 2);
     EXPECT_NE(elsewhere.err.find("a design finds its files in its own folder or below"), std::string::npos)
         << elsewhere.err;
+
+    // A link leads out of the folder, where designs do not look; one that leads to where the form is does no harm.
+    ASSERT_TRUE(QFile::link(path("box.obj"), path("elsewhere/link.obj")));
+    const ProgramRun linked = callCommandLine(
+        QStringList{"flatten", path("elsewhere/link.obj"), "--out", path("elsewhere/out.json"), "--frame"} + words);
+    EXPECT_EQ(linked.exitCode, 2) << linked.err;
+    ASSERT_TRUE(QFile::link(path("elsewhere"), path("door")));
+    ASSERT_TRUE(QFile::copy(path("box.obj"), path("elsewhere/box.obj")));
+    const ProgramRun through = callCommandLine(
+        QStringList{"flatten", path("door/box.obj"), "--out", path("elsewhere/out.json"), "--frame"} + words);
+    EXPECT_EQ(through.exitCode, 0) << through.err;
+    EXPECT_EQ(callCommandLine({"check", path("elsewhere/out.json")}).exitCode, 0);
 }
 
 TEST_F(FlattenTest, WhatCannotBeLaidFlatIsSaid)

@@ -78,11 +78,14 @@ TEST(EarlierPieces, LeaveTheirPlacesToTheNewOnes)
         return design;
     };
     const Design before = designOf({square("Back top", 100, {1000, 0}), square("Front", 100, {2000, 0})});
-    const Design made = designOf({square("Back_top", 110, {0, 0}), square("Front", 300, {0, -400})});
-    const Vec2 offset(50, -500);
-    const Design placed = withEarlierPlaces(before, made, offset);
-    EXPECT_EQ(placed.find<Patch>(ElementId{1})->position, Vec2(995, -5) - offset);
-    EXPECT_EQ(placed.find<Patch>(ElementId{2})->position, Vec2(0, -400)) << "it would lie on its neighbours";
+    const std::optional<Design> placed =
+        withEarlierPlaces(before, designOf({square("Back_top", 110, {0, 0}), square("Front", 90, {0, -400})}));
+    ASSERT_TRUE(placed);
+    EXPECT_EQ(placed->find<Patch>(ElementId{1})->position, Vec2(995, -5));
+    EXPECT_EQ(placed->find<Patch>(ElementId{2})->position, Vec2(2005, 5));
+    EXPECT_FALSE(withEarlierPlaces(before, designOf({square("Front", 300, {0, 0})})))
+        << "it would lie on its neighbours";
+    EXPECT_FALSE(withEarlierPlaces(before, designOf({square("Side", 100, {0, 0})})));
 }
 
 TEST_F(Edits, ImpossibleMovesAreEmpty)

@@ -169,11 +169,13 @@ std::string otherUnitText(double number)
 /// Where a design that is written to `out` finds the form.
 std::string fileOfFrame(const QString& surface, const QString& out)
 {
-    const QDir folder = QFileInfo(out).absoluteDir();
-    const std::string file = folder.relativeFilePath(QFileInfo(surface).absoluteFilePath()).toStdString();
-    if (elementFileProblem(file))
+    const QDir folder(QFileInfo(out).absoluteDir().canonicalPath()); // links lead elsewhere
+    const std::string file = folder.relativeFilePath(QFileInfo(surface).canonicalFilePath()).toStdString();
+    if (file.starts_with("..") || QDir::isAbsolutePath(QString::fromStdString(file)))
         throw UsageError("--frame: a design finds its files in its own folder or below: write it to where " +
                          surface.toStdString() + " is");
+    if (const std::optional<Message> problem = elementFileProblem(file))
+        throw UsageError("--frame: " + surface.toStdString() + ": " + problem->english());
     return file;
 }
 

@@ -251,7 +251,7 @@ private:
         const std::string pieces = counted(static_cast<std::ptrdiff_t>(count), "solved piece");
         printResult((count < few ? "the worst of " : "by ") + pieces + " alone: " + numberText(found.rms, 3) +
                     " mm, " + numberText(found.most, 3) + " mm");
-        printResult("by the linear ones, put right by what the solved ones have more than the same in linear: " +
+        printResult("by the linear ones, corrected by what the solved ones have more than the same in linear: " +
                     numberText(corrected.rms, 3) +
                     (m_rmsError ? " +-" + numberText(*m_rmsError, 2) : std::string()) + " mm, " +
                     numberText(corrected.most, 3) + " mm");

@@ -99,6 +99,11 @@ void FormPatternReport::sayCover(int over, QStringList& lines) const
 {
     if (isSolved)
         lines << tr("Its cover is being solved \u2026");
+    const double area = patternArea(made.pattern.design);
+    if (const double vertices = vertexCount(area, edgeLength); vertices > FormPattern::manyVertices)
+        lines << tr("Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.")
+                     .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
+                          lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
     if (!cover)
         return;
     sayBeside(lines);
@@ -144,11 +149,6 @@ void FormPatternReport::sayStrain(const OnForm& found, QStringList& lines)
 void FormPatternReport::sayWhatHelps(const OnForm& found, QStringList& lines) const
 {
     const bool leavesOut = !made.pattern.notes.empty();
-    const double area = patternArea(made.pattern.design);
-    if (const double vertices = vertexCount(area, edgeLength); vertices > FormPattern::manyVertices)
-        lines << tr("Its cover will have about %1 vertices, and is not solved here: with mesh edges of %2 it is.")
-                     .arg(QLocale().toString(std::round(vertices / 1000) * 1000, 'f', 0),
-                          lengthText(std::ceil(edgeLengthFor(area, FormPattern::manyVertices)), 0));
     if (isFrame && !keepsOutside && found.pieces > 0)
         lines << tr(
             "So that the cover does not sink into the frame, tick \"Keeps the cover outside\" at the frame.");

@@ -10,6 +10,7 @@
 #include "FormPatternReport.h"
 #include "FormWishesPanel.h"
 #include "Jobs.h"
+#include "LayoutEdits.h"
 #include "NumberBox.h"
 #include "PatternSize.h"
 #include "ShownScene.h"
@@ -42,6 +43,38 @@ constexpr int mostLinesSaid = 9;        // that are seen at once
 constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
 constexpr std::size_t mostShown = 1500; // edges of what is left out
 constexpr double seenBend = 12;         // degrees, of such edges
+
+Box2 layoutBox(const Design& design)
+{
+    Box2 box;
+    design.each<Patch>([&](ElementId, const Patch& patch) { box.extend(edits::layoutBox(patch)); });
+    return box;
+}
+
+/// By how much `made` is moved so that it lies below all that is there.
+Vec2 besideAll(const Design& design, const Design& made)
+{
+    const Box2 there = layoutBox(design), own = layoutBox(made);
+    return there.isEmpty() ? Vec2::Zero()
+                           : Vec2(there.min().x() - own.min().x(), there.min().y() - besidePattern - own.max().y());
+}
+
+/// Or begins where that began which goes, if it meets none of the rest there.
+std::optional<Vec2> whereTheyWere(const Design& design, const Design& rest, const Design& made)
+{
+    Box2 gone;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (!rest.find<Patch>(id))
+            gone.extend(edits::layoutBox(patch));
+    });
+    Box2 own = layoutBox(made);
+    const Vec2 offset(gone.min().x() - own.min().x(), gone.max().y() - own.max().y());
+    own.translate(offset);
+    bool free = !gone.isEmpty();
+    rest.each<Patch>(
+        [&](ElementId, const Patch& patch) { free = free && !edits::layoutBox(patch).intersects(own); });
+    return free ? std::optional(offset) : std::nullopt;
+}
 
 /// Whether two frames have one shape in one place: nothing else of them makes other pieces.
 bool sameShape(const Frame* a, const Frame* b)
@@ -210,6 +243,7 @@ void FormPatternWindow::ask(bool draft)
     if (!m_mesh && m_wishes->file().isEmpty()) {
         m_job.cancel();
         setRunning(false);
+        clear(); // the frame may be gone
         m_said->setText(tr("Choose a file with a form above, or import a frame first."));
         return;
     }
@@ -246,8 +280,8 @@ void FormPatternWindow::stop()
     ++m_asked; // what is on its way comes too late
     setRunning(false);
     m_progress->setCurrentWidget(m_stopped);
-    m_said->setText(m_made && m_made->problem.empty() ? tr("It was stopped. These are the pieces from before.")
-                                                      : tr("It was stopped."));
+    const bool hasPieces = m_made && m_made->problem.empty() && !m_made->pattern.isEmpty();
+    m_said->setText(hasPieces ? tr("It was stopped. These are the pieces from before.") : tr("It was stopped."));
 }
 
 void FormPatternWindow::clear()
@@ -388,22 +422,17 @@ void FormPatternWindow::make()
         rest = rest.with(edits::removeElements(rest, edits::earlierPieces(rest, m_made->pattern.design)));
     if (m_wishes->keepsOutside() && !m_wishes->frame()->contact)
         rest = rest.with({{}, {{m_wishes->frameId(), m_wishes->frameElement(), m_wishes->frameUnder()}}});
-    Box2 there, own;
-    m_document.design().each<Patch>([&](ElementId, const Patch& patch) {
-        for (const Vec2& point : patch.outline.points())
-            there.extend(toLayout(patch, point));
-    });
-    m_made->pattern.design.each<Patch>([&](ElementId, const Patch& patch) {
-        for (const Vec2& point : patch.outline.points())
-            own.extend(toLayout(patch, point));
-    });
-    const Vec2 offset =
-        there.isEmpty() ? Vec2::Zero()
-                        : Vec2(there.min().x() - own.min().x(), there.min().y() - besidePattern - own.max().y());
     Design pattern = m_made->pattern.design;
-    if (again)
-        pattern = edits::withEarlierPlaces(m_document.design(),
-                                           edits::withEarlierNames(m_document.design(), pattern), offset);
+    Vec2 offset = besideAll(m_document.design(), pattern);
+    if (again) {
+        pattern = edits::withEarlierNames(m_document.design(), pattern);
+        if (std::optional<Design> placed = edits::withEarlierPlaces(m_document.design(), pattern)) {
+            pattern = std::move(*placed);
+            offset = Vec2::Zero();
+        } else if (const std::optional<Vec2> there = whereTheyWere(m_document.design(), rest, pattern)) {
+            offset = *there;
+        }
+    }
     const edits::Outcome outcome = edits::paste(rest, writeDesign(pattern), offset);
     if (outcome.edit.empty()) {
         m_said->setText(translated(outcome.problem));

@@ -1,6 +1,7 @@
 #include "EarlierPieces.h"
 
 #include "FreeNames.h"
+#include "LayoutEdits.h"
 
 #include <algorithm>
 #include <map>
@@ -40,14 +41,6 @@ void addNames(const Design& design, const Design& made, Edit& edit)
 
 constexpr double muchLarger = 1.3; // times: it would lie on its neighbours
 
-Box2 inLayout(const Patch& patch)
-{
-    Box2 box;
-    for (const Vec2& point : patch.outline.points())
-        box.extend(toLayout(patch, point));
-    return box;
-}
-
 bool aboutAsLarge(const Box2& one, const Box2& other)
 {
     return (one.sizes().array() < muchLarger * other.sizes().array()).all() &&
@@ -84,21 +77,26 @@ Design withEarlierNames(const Design& design, const Design& made)
     return edit.empty() ? made : made.with(edit);
 }
 
-Design withEarlierPlaces(const Design& design, const Design& made, const Vec2& offset)
+std::optional<Design> withEarlierPlaces(const Design& design, const Design& made)
 {
     std::map<std::string, Box2> boxes;
-    design.each<Patch>([&](ElementId, const Patch& patch) { boxes.emplace(spaced(patch.name), inLayout(patch)); });
+    design.each<Patch>([&](ElementId, const Patch& patch) { boxes.emplace(spaced(patch.name), layoutBox(patch)); });
     Edit edit;
+    bool all = true;
     made.each<Patch>([&](ElementId id, const Patch& patch) {
         const auto earlier = boxes.find(spaced(patch.name));
-        const Box2 now = inLayout(patch);
-        if (earlier == boxes.end() || !aboutAsLarge(now, earlier->second))
+        const Box2 now = layoutBox(patch);
+        if (earlier == boxes.end() || !aboutAsLarge(now, earlier->second)) {
+            all = false;
             return;
+        }
         Patch placed = patch;
-        placed.position += earlier->second.center() - now.center() - offset;
+        placed.position += earlier->second.center() - now.center();
         edit.changes.push_back({id, made.element(id), makeElement(std::move(placed))});
     });
-    return edit.empty() ? made : made.with(edit);
+    if (!all)
+        return std::nullopt;
+    return made.with(edit);
 }
 
 } // namespace bolster::edits

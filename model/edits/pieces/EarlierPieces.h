@@ -3,6 +3,7 @@
 
 #include "Design.h"
 
+#include <optional>
 #include <vector>
 
 namespace bolster::edits {
@@ -13,8 +14,8 @@ namespace bolster::edits {
 std::vector<ElementId> earlierPieces(const Design& design, const Design& made);
 /// With the names that patches and curves have there: groups of files have "_" where names have spaces.
 Design withEarlierNames(const Design& design, const Design& made);
-/// With patches that are about as large as those of their names were in the middle of where these were, once all
-/// are moved by `offset` (mm, in the layout).
-Design withEarlierPlaces(const Design& design, const Design& made, const Vec2& offset);
+/// With each patch in the middle of where that of its name was in the layout; nothing where one was not there, or
+/// was not about as large, so that they would lie on each other.
+std::optional<Design> withEarlierPlaces(const Design& design, const Design& made);
 
 } // namespace bolster::edits

@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace bolster {
 
 namespace {
 
-constexpr double grows = 1.25; // with each key
-constexpr double apart = 0.3;  // of the radius: stamps of a stroke
+constexpr double grows = 1.25;     // with each key
+constexpr double apart = 0.3;      // of the radius: stamps of a stroke
+constexpr double stepOfStroke = 6; // pixels
+constexpr int mostSteps = 40;      // between two places of the pointer
 
 } // namespace
 
@@ -27,15 +30,25 @@ void AreaBrushTool::press(const CoverPointer& pointer)
 {
     m_painting = true;
     m_stampedAt.reset();
-    hover(pointer);
-    stamp(pointer);
+    m_strokeAt = pointer.pixel;
+    hover(pointer.pixel);
+    stamp(pointer.modifiers);
 }
 
+/// A quick stroke is told of in few places: what lies between them is painted, too.
 bool AreaBrushTool::move(const CoverPointer& pointer)
 {
-    hover(pointer);
+    if (m_painting) {
+        const QPointF from = std::exchange(m_strokeAt, pointer.pixel), way = pointer.pixel - from;
+        const int steps = std::clamp(static_cast<int>(std::hypot(way.x(), way.y()) / stepOfStroke), 0, mostSteps);
+        for (int k = 1; k < steps; ++k) {
+            hover(from + way * k / steps);
+            stamp(pointer.modifiers);
+        }
+    }
+    hover(pointer.pixel);
     if (m_painting)
-        stamp(pointer);
+        stamp(pointer.modifiers);
     return true;
 }
 
@@ -44,20 +57,20 @@ void AreaBrushTool::release(const CoverPointer&)
     m_painting = false;
 }
 
-void AreaBrushTool::hover(const CoverPointer& pointer)
+void AreaBrushTool::hover(QPointF pixel)
 {
-    const CoverHit hit = m_context.solid(pointer.pixel);
+    const CoverHit hit = m_context.solid(pixel);
     m_under =
         hit.kind == CoverHit::Kind::Cover ? m_context.nearest(hit.position, CoverHit::Kind::Cover) : std::nullopt;
     m_context.refresh();
 }
 
-void AreaBrushTool::stamp(const CoverPointer& pointer)
+void AreaBrushTool::stamp(Qt::KeyboardModifiers modifiers)
 {
     if (!m_under || (m_stampedAt && (*m_stampedAt - m_under->position).norm() < apart * m_radius))
         return;
     m_stampedAt = m_under->position;
-    m_take({m_under->position, m_radius, bool(pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier))});
+    m_take({m_under->position, m_radius, bool(modifiers & (Qt::ShiftModifier | Qt::ControlModifier))});
 }
 
 bool AreaBrushTool::wants(int key) const
@@ -71,6 +84,7 @@ bool AreaBrushTool::keyPress(const QKeyEvent& event)
         return false;
     m_radius =
         std::clamp(event.key() == Qt::Key_Plus ? m_radius * grows : m_radius / grows, leastRadius, mostRadius);
+    m_take({.radius = m_radius, .paints = false});
     m_context.refresh();
     return true;
 }

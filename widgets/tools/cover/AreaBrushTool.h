@@ -18,6 +18,7 @@ public:
         Vec3 middle = Vec3::Zero(); ///< on the cover, mm
         double radius = 0;          ///< mm
         bool erases = false;
+        bool paints = true; ///< else the brush alone has changed
     };
     using Take = std::function<void(const Stamp&)>;
     static constexpr double leastRadius = 5, mostRadius = 500; ///< mm
@@ -38,14 +39,15 @@ public:
     std::vector<SceneLine> guides() const override;
 
 private:
-    void hover(const CoverPointer& pointer);
-    void stamp(const CoverPointer& pointer);
+    void hover(QPointF pixel);
+    void stamp(Qt::KeyboardModifiers modifiers);
 
     double m_radius;
     Take m_take;
     bool m_painting = false;
     std::optional<CoverFoot> m_under; ///< the pointer
     std::optional<Vec3> m_stampedAt;  ///< last, in this stroke
+    QPointF m_strokeAt;               ///< the pointer, where this stroke has come to
 };
 
 } // namespace bolster
