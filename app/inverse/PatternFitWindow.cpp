@@ -550,8 +550,7 @@ Design PatternFitWindow::changedDesign() const
 
 Design PatternFitWindow::designWith(const Eigen::VectorXd& values) const
 {
-    const Design changed = withFreedoms(m_start, m_found->freedoms, values);
-    return m_found->easeIsFree ? withEases(m_start, changed) : changed;
+    return withChange(m_start, m_found->freedoms, values, m_found->easeIsFree);
 }
 
 void PatternFitWindow::preview()

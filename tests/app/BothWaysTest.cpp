@@ -836,6 +836,26 @@ TEST_F(BothWaysTest, AnAreaIsPaintedOnTheCover)
     });
     EXPECT_TRUE((FitArea{{}, area->spots()}.has(range->patch, topology.pattern[v])));
     EXPECT_TRUE(window.maps().hasGuest()) << "it is seen in colours";
+
+    // A quick stroke is told of at its ends alone.
+    pressIn(*area, "Clear");
+    const Vec3 from = *top + Vec3(-150, 0, 0), to = *top + Vec3(150, 0, 0);
+    const auto pixel = [&](const Vec3& at) {
+        const Vec2 found = window.coverView().navigation().camera().pixel(at).value_or(Vec2::Zero());
+        return QPoint(qRound(found.x()), qRound(found.y()));
+    };
+    QTest::mousePress(&window.coverView(), Qt::LeftButton, {}, pixel(from));
+    QTest::mouseMove(&window.coverView(), pixel(to));
+    QTest::mouseRelease(&window.coverView(), Qt::LeftButton, {}, pixel(to));
+    EXPECT_TRUE((FitArea{{}, area->spots()}.has(range->patch, topology.pattern[v]))) << "what lies between";
+    auto* radius = area->findChild<NumberBox*>();
+    const double before = radius->value();
+    takeKeyboard();
+    window.coverView().setFocus();
+    designer.key(Qt::Key_Plus);
+    EXPECT_GT(radius->value(), before);
+    designer.key(Qt::Key_Minus);
+    EXPECT_NEAR(radius->value(), before, 0.5);
     takeKeyboard();
     window.coverView().setFocus();
     designer.key(Qt::Key_Escape);

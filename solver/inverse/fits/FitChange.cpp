@@ -15,21 +15,6 @@ namespace {
 
 constexpr double leastWantedEase = 0.05, mostWantedEase = 1000; // mm
 
-} // namespace
-
-double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& values)
-{
-    std::map<std::tuple<ElementId, Freedom::Kind, int>, double> squares;
-    for (std::size_t k = 0; k < freedoms.size(); ++k)
-        if (freedoms[k].kind != Freedom::Kind::Number && freedoms[k].kind != Freedom::Kind::Size)
-            squares[{freedoms[k].element, freedoms[k].kind, freedoms[k].index}] +=
-                std::pow(values[static_cast<Eigen::Index>(k)], 2);
-    double most = 0;
-    for (const auto& [place, square] : squares)
-        most = std::max(most, std::sqrt(square));
-    return most;
-}
-
 Design withEases(const Design& before, const Design& changed)
 {
     Edit edit;
@@ -45,6 +30,28 @@ Design withEases(const Design& before, const Design& changed)
         edit.changes.push_back({id, changed.element(id), makeElement(std::move(eased))});
     });
     return edit.empty() ? changed : changed.with(edit);
+}
+
+} // namespace
+
+double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& values)
+{
+    std::map<std::tuple<ElementId, Freedom::Kind, int>, double> squares;
+    for (std::size_t k = 0; k < freedoms.size(); ++k)
+        if (freedoms[k].kind != Freedom::Kind::Number && freedoms[k].kind != Freedom::Kind::Size)
+            squares[{freedoms[k].element, freedoms[k].kind, freedoms[k].index}] +=
+                std::pow(values[static_cast<Eigen::Index>(k)], 2);
+    double most = 0;
+    for (const auto& [place, square] : squares)
+        most = std::max(most, std::sqrt(square));
+    return most;
+}
+
+Design withChange(const Design& design, std::span<const Freedom> freedoms, const Eigen::VectorXd& values,
+                  bool easeIsFree)
+{
+    const Design changed = withFreedoms(design, freedoms, values);
+    return easeIsFree ? withEases(design, changed) : changed;
 }
 
 } // namespace bolster

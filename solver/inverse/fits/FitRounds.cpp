@@ -75,8 +75,7 @@ bool FitRounds::fail(Message reason)
 
 Design FitRounds::designAt(const Eigen::VectorXd& values) const
 {
-    const Design design = withFreedoms(m_input.design, m_order.freedoms, values);
-    return m_order.locks.ease ? design : withEases(m_input.design, design);
+    return withChange(m_input.design, m_order.freedoms, values, !m_order.locks.ease);
 }
 
 void FitRounds::take(const Eigen::VectorXd& values)

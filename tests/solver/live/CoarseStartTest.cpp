@@ -35,25 +35,31 @@ double farthest(const SurfaceMesh& a, const SurfaceMesh& b)
 struct Case {
     const char* name;
     double edge; ///< mm, for some 50,000 vertices
+    bool folds = false;
 };
 
-/// In fewer iterations for each. By how many is a matter of rounding, which differs from processor to processor: so
-/// that is asked of all of them together.
+/// In fewer iterations, where no folds come and go on the way: in those rounding decides, which differs from
+/// processor to processor, how many it takes (385 and 504 instead of 424 were seen of the trapezoid's cushion).
 TEST(CoarseStart, LeadsWhereMomentumLeadsAlone)
 {
     int alone = 0, together = 0;
-    for (const Case& each : {Case{"box-cushion", 3.3}, Case{"car-seat", 4.8}, Case{"trapezoid-cushion", 1.9}}) {
+    for (const Case& each :
+         {Case{"box-cushion", 3.3}, Case{"car-seat", 4.8}, Case{"trapezoid-cushion", 1.9, true}}) {
         const Design design = withEdge(sample(each.name), each.edge);
         const SolveResult one = solve(design, true), several = solve(design, false);
         ASSERT_EQ(one.status, SolveResult::Status::Solved) << each.name << one.reason.english();
         ASSERT_EQ(several.status, SolveResult::Status::Solved) << each.name << several.reason.english();
         ASSERT_GT(one.surface->positions.size(), 42'000U) << each.name << ": else there is one level";
         EXPECT_LT(farthest(*one.surface, *several.surface), 0.2) << each.name;
+        if (each.folds) {
+            EXPECT_LT(several.report.iterations, 1.5 * one.report.iterations) << each.name;
+            continue;
+        }
         EXPECT_LT(several.report.iterations, one.report.iterations) << each.name;
         alone += one.report.iterations;
         together += several.report.iterations;
     }
-    EXPECT_LT(together, 0.85 * alone);
+    EXPECT_LT(together, 0.5 * alone);
 }
 
 TEST(CoarseStart, IsTheSameOnAnyNumberOfThreads)
