@@ -64,10 +64,10 @@ TEST(EarlierPieces, AreThoseOfTheSameNamesAsFilesHaveThem)
 
 TEST(EarlierPieces, LeaveTheirPlacesToTheNewOnes)
 {
-    const auto square = [](const std::string& name, double side, const Vec2& position) {
+    const auto square = [](const std::string& name, double width, const Vec2& position) {
         Patch patch;
         patch.name = name;
-        patch.outline = BSpline2(1, true, {{0, 0}, {side, 0}, {side, side}, {0, side}});
+        patch.outline = BSpline2(1, true, {{0, 0}, {width, 0}, {width, width}, {0, width}});
         patch.position = position;
         return patch;
     };
