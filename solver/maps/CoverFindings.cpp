@@ -20,7 +20,8 @@ using Finding = CoverFinding;
 using Range = SurfaceTopology::PatchRange;
 
 constexpr double smallSpot = 400;    // mm^2: what is over its limit on less than that is no worry,
-constexpr double fewTriangles = 4;   // or on fewer than that: at a tip one or two say nothing of cloth
+constexpr double fewTriangles = 4;   // or on fewer than that: at a tip one or two say nothing of cloth,
+constexpr double smallShare = 0.1;   // unless the patch has hardly more
 constexpr double foldedSpot = 2500;  // mm^2 that are pressed together or folded over
 constexpr double foldStrain = 8;     // %: cloth that is pressed together more lies in folds
 constexpr double offFrame = 40;      // mm: more than padding, webbing and the frame's own roundness explain
@@ -40,8 +41,8 @@ std::optional<Strained> worstOf(std::vector<Strained> all)
     double patch = 0;
     for (const Strained& one : all)
         patch += one.area;
-    const double spot =
-        std::max(smallSpot, fewTriangles * patch / std::max<double>(1, static_cast<double>(all.size())));
+    const double share = std::min(smallShare, fewTriangles / std::max<double>(1, static_cast<double>(all.size())));
+    const double spot = std::max(smallSpot, share * patch);
     std::erase_if(all, [](const Strained& one) { return !(one.excess > 1); });
     std::ranges::sort(all, std::ranges::greater(), &Strained::excess);
     double area = 0;

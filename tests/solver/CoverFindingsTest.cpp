@@ -79,6 +79,30 @@ TEST(CoverFindings, EachLimitThatIsExceededIsSaid)
     EXPECT_GE(said.size(), 2U) << "stretched and sheared";
 }
 
+TEST(CoverFindings, ACornerOfCoarseTrianglesIsNoWorry)
+{
+    DesignBuilder b(25);
+    const ElementId patch = b.patch(rectangle(300, 200), b.fabric(0.3, 8));
+    b.fix({patch, 0, 1}, polyline({{0, 0, 0}, {300, 0, 0}}));
+    b.fix({patch, 2, 3}, polyline({{300, 200, 0}, {0, 200, 0}}));
+    const SolveResult result = solveResting({b.design(), {}}, {});
+    ASSERT_TRUE(result.surface);
+    const auto withMoved = [&](const Vec2& middle, double radius, const Vec3& by) {
+        SurfaceMesh moved = *result.surface;
+        int count = 0;
+        for (std::size_t v = 0; v < moved.positions.size(); ++v)
+            if ((moved.topology->pattern[v] - middle).norm() < radius) {
+                moved.positions[v] += by;
+                ++count;
+            }
+        EXPECT_GT(count, 0);
+        FrameDistance frames;
+        return coverFindings(moved, b.design(), {}, frames);
+    };
+    EXPECT_TRUE(withMoved({0, 0}, 1, {-20, -20, 0}).empty()) << "one or two triangles";
+    EXPECT_FALSE(withMoved({150, 100}, 45, {0, 0, 30}).empty()) << "a bump";
+}
+
 TEST(CoverFindings, FoldsAreSaid)
 {
     const std::vector<CoverFinding> found = findingsOf(sheetBetween(0.7).design());
