@@ -33,6 +33,9 @@ signals:
     /// By the user: a file or something else.
     void chosenAnew();
 
+protected:
+    DesignSession& session() const { return m_session; }
+
 private:
     bool isOnFiles() const;
     void ask(const std::function<void()>& then = {});

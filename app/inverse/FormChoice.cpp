@@ -12,7 +12,6 @@ FormChoice::FormChoice(DesignSession& session, const QString& fileTitle, const Q
                  tr("Meshes and scans (%1);;All files (*)")
                      .arg(patternsOf(FileUse::Frame) + ' ' + patternsOf(FileUse::Scan)),
                  parent)
-    , m_session(session)
 {
     fill(none);
 }
@@ -21,7 +20,7 @@ void FormChoice::fill(const QString& none)
 {
     if (!none.isEmpty())
         addItem(none);
-    m_session.document().design().each<Scan>([&](ElementId id, const Scan& scan) {
+    session().document().design().each<Scan>([&](ElementId id, const Scan& scan) {
         addItem(QString::fromStdString(scan.name), number(id));
         ++m_scans;
     });
@@ -48,9 +47,9 @@ FitForm FormChoice::form() const
     if (!form.file.isEmpty())
         return form;
     const auto id = static_cast<ElementId>(currentData().toUInt());
-    const auto* scan = m_session.document().committed().find<Scan>(id);
-    const auto cloud = m_session.files().clouds.find(id);
-    if (scan && cloud != m_session.files().clouds.end()) {
+    const auto* scan = session().document().committed().find<Scan>(id);
+    const auto cloud = session().files().clouds.find(id);
+    if (scan && cloud != session().files().clouds.end()) {
         form.scan = *scan;
         form.cloud = cloud->second;
     }

@@ -30,7 +30,6 @@ public:
 private:
     void fill(const QString& none);
 
-    DesignSession& m_session;
     int m_scans = 0;
 };
 

@@ -116,14 +116,16 @@ void FrameParts::addShown(PropertyForm& form, ElementId id) const
     const std::shared_ptr<const FramePieces> pieces = piecesOf(mesh);
     if (pieces->pieces.size() < 2)
         return; // to hide it all is what hiding the frame is for
-    const InspectorSubject<Frame> subject(m_document, {id}, form);
     const std::vector<PartLine> lines = linesOf(*pieces);
     std::vector<PropertyForm::Check> checks;
     int below = 0;
     for (const PartLine& line : lines) {
         below = line.below ? below : 0;
         const QString part = partTitle(mesh->parts[pieceOf(*pieces, line.pieces.front()).part].name);
-        const auto size = [subject, pieces, of = line.pieces] { return placedSize(subject.now(), *pieces, of); };
+        const auto size = [this, id, pieces, of = line.pieces] {
+            const Frame* now = m_document.design().find<Frame>(id); // not a copy for each of many pieces
+            return now ? placedSize(*now, *pieces, of) : QString();
+        };
         if (line.below)
             checks.push_back(
                 {[size, number = ++below] { return tr("Piece %1: %2").arg(number).arg(size()); }, true});
@@ -134,6 +136,7 @@ void FrameParts::addShown(PropertyForm& form, ElementId id) const
         else
             checks.push_back({[part, size] { return tr("%1: %2").arg(part, size()); }});
     }
+    const InspectorSubject<Frame> subject(m_document, {id}, form);
     const auto hidden = [subject, mesh, pieces] { return pieces->hiddenBy(*mesh, subject.now().hiddenParts); };
     const auto read = [hidden, lines] {
         const std::vector<bool> gone = hidden();
