@@ -157,8 +157,8 @@ QWidget* FitOrderPanel::buildLocks()
     m_lengths->setToolTip(
         tr("The sides of a seam keep their difference; if it is far from the seam's ease, it comes nearer to it"));
     m_straight = new QCheckBox(tr("St&raight edges"), box);
-    m_straight->setToolTip(tr("Edges that are straight within %1 stay so; those that only look straight may bend")
-                               .arg(lengthText(FitLocks::straightWithin, 2)));
+    m_straight->setToolTip(tr("Edges that look straight stay so: those that bow by less than %1 in %2")
+                               .arg(lengthText(1000 * FitLocks::straightShare, 1), lengthText(1000, 0)));
     m_corners = new QCheckBox(tr("An&gles of corners"), box);
     m_lengths->setChecked(true);
     m_straight->setChecked(true);

@@ -1,5 +1,6 @@
 #include "Form.h"
 
+#include "BodyCrossings.h"
 #include "BorderRows.h"
 #include "FormLines.h"
 #include "HalfEdges.h"
@@ -41,6 +42,8 @@ public:
     Form cut()
     {
         turnAlike(m_welded, m_form.notes, m_stop);
+        if (!m_draft)
+            noteCrossings();
         const bool tidies = !m_cuts.lines.empty() || m_cuts.divides;
         if (tidies)
             partSheets(m_welded, m_stop);
@@ -70,6 +73,12 @@ private:
         return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
     }
 
+    void noteCrossings()
+    {
+        if (Message note = bodyCrossings(m_welded, m_stop).note(); !note.empty())
+            m_form.notes.push_back(std::move(note));
+    }
+
     /// Where it bends, but for facets that are too small for pieces. Before lines are cut: triangles beside these
     /// may lean anywhere.
     void cutBends()
@@ -95,6 +104,7 @@ private:
             m_welded.part = std::move(lined.part);
             m_kept = std::move(lined.cuts);
             std::ranges::move(lined.notes, std::back_inserter(m_form.notes));
+            m_form.openEnds = std::move(lined.openEnds);
         } else if (!m_cuts.lines.empty()) {
             m_form.problem = lined.problem;
             return;

@@ -75,9 +75,17 @@ struct FormPiece {
     std::size_t before(std::size_t edge) const { return edge > 0 ? edge - 1 : border.size() - 1; }
 };
 
+/// The end of a line inside a piece, which it cuts in like a dart and does not divide.
+struct OpenEnd {
+    std::string line;      ///< its name
+    std::vector<Vec3> way; ///< mm, on the form: from there the nearest way to a border or another line; the end
+                           ///< alone where there is neither
+};
+
 struct Form {
     std::vector<Vec3> points; ///< mm, each place once
     std::vector<FormPiece> pieces;
+    std::vector<OpenEnd> openEnds;          ///< each has a note, too
     std::vector<Message> notes;             ///< what was mended: faces turned round, rings cut open ...
     std::vector<Message> undivided;         ///< why pieces stay as they are that were to be divided
     Message problem;                        ///< why there is none; pieces are empty then

@@ -191,8 +191,10 @@ public:
                 const int a = number[form.mesh.vertex(e, 0)], b = number[form.mesh.vertex(e, 1)];
                 result.cuts.insert({std::min(a, b), std::max(a, b)});
             }
-        for (const Vertex v : form.looseEnds(m_cuts))
-            result.notes.push_back(looseEnd(form, fromCgal(form.mesh.point(v))));
+        for (const Vertex v : form.looseEnds(m_cuts)) {
+            result.openEnds.push_back(openEnd(form, fromCgal(form.mesh.point(v))));
+            result.notes.push_back(noteOf(result.openEnds.back()));
+        }
         return result;
     }
 
@@ -465,36 +467,63 @@ private:
         return strip;
     }
 
-    Message looseEnd(const LinedMesh& form, const Vec3& at) const
+    /// Of the line whose place is nearest.
+    std::size_t lineAt(const Vec3& at) const
     {
-        double nearest = std::numeric_limits<double>::infinity();
-        std::size_t own = 0;
-        for (std::size_t k = 0; k < m_lines.size(); ++k)
-            for (const Vec3& place : m_lines[k].places)
-                if (const double distance = (place - at).norm(); distance < nearest) {
-                    nearest = distance;
-                    own = k;
-                }
-        const std::string name = m_lines.empty() ? std::string() : m_lines[own].line.name;
-        double border = std::numeric_limits<double>::infinity();
+        const auto away = [&](const LineToCut& line) {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Vec3& place : line.places)
+                nearest = std::min(nearest, (place - at).norm());
+            return nearest;
+        };
+        return static_cast<std::size_t>(std::ranges::min_element(m_lines, {}, away) - m_lines.begin());
+    }
+
+    /// Of where the form is cut anyway, and of the lines but that one.
+    std::optional<Vec3> nearestTo(const Vec3& at, const LinedMesh& form, std::size_t own) const
+    {
+        std::optional<Vec3> nearest;
+        const auto look = [&](const Vec3& place) {
+            if (!nearest || (place - at).norm() < (*nearest - at).norm())
+                nearest = place;
+        };
         for (const FormEdge e : form.mesh.edges())
             if (!form.cut[e] && form.isCutAnyway(e, m_cuts)) {
                 const auto [a, b] = form.endsOf(e);
-                border = std::min(border, segmentDistance<3>(at, a, b));
+                look(nearestOnSegment<3>(at, a, b));
             }
         for (std::size_t k = 0; k < m_lines.size(); ++k)
-            if (k != own)
+            if (k != own && m_lines[k].isCut)
                 for (const Vec3& place : m_lines[k].places)
-                    border = std::min(border, (place - at).norm());
-        if (!std::isfinite(border))
+                    look(m_form.nearest(place));
+        return nearest;
+    }
+
+    OpenEnd openEnd(const LinedMesh& form, const Vec3& at) const
+    {
+        const std::size_t own = lineAt(at);
+        OpenEnd end{own < m_lines.size() ? m_lines[own].line.name : std::string(), {at}};
+        if (const std::optional<Vec3> to = nearestTo(at, form, own)) {
+            const int steps = std::max(1, static_cast<int>(std::ceil((*to - at).norm() / spacing)));
+            for (int k = 1; k < steps; ++k)
+                end.way.push_back(m_form.nearest(at + double(k) / steps * (*to - at)));
+            end.way.push_back(*to);
+        }
+        return end;
+    }
+
+    static Message noteOf(const OpenEnd& end)
+    {
+        const std::string at = placeText(end.way.front());
+        if (end.way.size() == 1)
             return {QT_TRANSLATE_NOOP("Message",
                                       "%1 ends inside a piece, at %2: it is cut in there like a dart. There is no "
                                       "other line or border; lead it around to where it began to divide the piece"),
-                    {name, placeText(at)}};
+                    {end.line, at}};
         return {QT_TRANSLATE_NOOP("Message",
                                   "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
                                   "line or border is %3 mm away; draw it on to there to divide the piece"),
-                {name, placeText(at), numberText(border, 2)}};
+                {end.line, at, numberText((end.way.back() - end.way.front()).norm(), 2)}};
     }
 
     TriangleSoup m_soup;

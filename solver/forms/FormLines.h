@@ -19,7 +19,8 @@ struct TriangleSoup {
 
 struct LinedTriangles : TriangleSoup {
     std::vector<Message> notes; ///< lines that end where nothing is
-    Message problem;            ///< why no lines can be cut; the rest is empty then
+    std::vector<OpenEnd> openEnds;
+    Message problem; ///< why no lines can be cut; the rest is empty then
 };
 
 /// What a draft before was of, so that lines that stay where they are need not be cut again.

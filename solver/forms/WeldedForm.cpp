@@ -259,19 +259,19 @@ void turnAlike(WeldedForm& form, std::vector<Message>& notes, const std::stop_to
         return;
     const Turning turning(form, halves);
     if (form.twice > 0)
-        notes.push_back(
-            {QT_TRANSLATE_NOOP("Message", "%1 faces of the form lie where another one lies, and are left out"),
-             {std::to_string(form.twice)}});
+        notes.push_back({QT_TRANSLATE_NOOP(
+                             "Message", "Faces of the form that lie where another one lies, and are left out: %1"),
+                         {std::to_string(form.twice)}});
     if (turning.oneSided)
         notes.push_back({QT_TRANSLATE_NOOP("Message", "The form has one side only, as a twisted band: it is "
                                                       "left open where its outside meets its inside"),
                          {}});
     if (turning.turned > 0)
-        notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"),
+        notes.push_back({QT_TRANSLATE_NOOP("Message", "Faces of the form that were turned round: %1"),
                          {std::to_string(turning.turned)}});
     if (turning.crowdedEdges > 0)
-        notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 edges of the form belong to more than two faces: "
-                                                      "they are borders, nothing is sewn there"),
+        notes.push_back({QT_TRANSLATE_NOOP("Message", "Edges of the form that belong to more than two faces, so "
+                                                      "that they are borders and nothing is sewn there: %1"),
                          {std::to_string(turning.crowdedEdges)}});
 }
 

@@ -264,7 +264,7 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
     for (int k = 0; k < holding->childCount(); ++k)
         names.insert(holding->child(k)->text(0));
     EXPECT_EQ(std::ssize(names), curves - 4) << "each has its own";
-    QTest::mouseClick(*replace, Qt::LeftButton, {}, {8, (*replace)->height() / 2});
+    EXPECT_TRUE((*replace)->isChecked());
     pressIn(*dialog, "Make the pattern");
     EXPECT_EQ(lastStep(), "Make the pattern of Bucket again");
     EXPECT_EQ(count<Patch>(), 5);
@@ -287,6 +287,40 @@ TEST_F(BothWaysTest, ABucketSeatIsMadeOfAFormWithFourDrawnSeams)
         dialog->close();
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window.findChild<FormPatternWindow*>(); }, 10000));
     }
+}
+
+TEST_F(BothWaysTest, AnOpenSeamLineIsShownAndLedOnTheNearestWay)
+{
+    writeBowl(folder.filePath("bowl.obj"));
+    openFrame("Bucket", "bowl.obj");
+    window.coverView().navigation().setStandardView(CoverView::StandardView::Top);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window.coverView().navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-9); }, 10000));
+    const double end = 0.985 * std::sqrt(bowlRadius * bowlRadius - 60.0 * 60.0);
+    drawSeam({onBowl(60, -end), onBowl(60, 0), onBowl(60, end / 2)});
+    const Design before = design();
+    designer.choose({"Pattern", "From a form"});
+    auto* dialog = window.findChild<FormPatternWindow*>();
+    ASSERT_TRUE(dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    EXPECT_EQ(dialog->made()->flat.size(), 1U);
+    ASSERT_EQ(dialog->made()->form.openEnds.size(), 1U);
+    EXPECT_TRUE(says(*dialog, "ends inside a piece"));
+    const OpenEnd open = dialog->made()->form.openEnds.front();
+    const auto isShown = [&](const Vec3& at) {
+        const auto& dots = window.coverView().shown().scene().dots;
+        return std::ranges::any_of(dots,
+                                   [&](const SceneDot& dot) { return (dot.at - at.cast<float>()).norm() < 1e-3F; });
+    };
+    EXPECT_TRUE(isShown(open.way.front()));
+
+    pressIn(*dialog, "Lead 1 open ends on");
+    EXPECT_EQ(lastStep(), "Lead open seam lines on");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
+    EXPECT_EQ(dialog->made()->flat.size(), 2U);
+    EXPECT_TRUE(dialog->made()->form.openEnds.empty());
+    EXPECT_FALSE(isShown(open.way.front()));
+    expectUndone(*dialog, before);
 }
 
 TEST_F(BothWaysTest, AFrameThatIsMovedMeanwhileIsLaidFlatAsItStands)

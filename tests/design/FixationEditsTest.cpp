@@ -1,5 +1,6 @@
 #include "FixationEdits.h"
 #include "ArcLength.h"
+#include "CurveEdits.h"
 #include "DesignCheck.h"
 #include "ElementEdits.h"
 
@@ -249,6 +250,49 @@ TEST_F(FixationEditsTest, OneStretchIsDividedAmongCurves)
     EXPECT_TRUE(seams[1].reversed);
     EXPECT_EQ(seams[1].stretch.from, seams[0].stretch.to);
     EXPECT_EQ(seams[1].stretch.to, 1);
+}
+
+TEST(LeadingCurvesOn, GoesAlongTheWayAndKeepsEveryPlace)
+{
+    const std::vector<Vec3> through{{0, 0, 0}, {40, 10, 5}, {90, -10, 0}, {130, 0, 10}, {170, 20, 0}};
+    std::vector<Vec3> way;
+    for (int k = 0; k <= 12; ++k)
+        way.emplace_back(170 + 5 * k, 20 + 30 * std::sin(0.1 * k), 3 * k);
+    const BSpline3 straight(1, false, through), smooth(3, false, through);
+    for (const BSpline3& curve : {straight, smooth, BSpline3(2, false, through), smooth.reversed()}) {
+        const Vec3 meets =
+            (curve.points().front() - way.front()).norm() < 1e-9 ? curve.points().front() : curve.points().back();
+        Design design = Design().with({{}, {{rail, nullptr, makeElement(FixationCurve{"Rail", curve})}}});
+        design = design.with(leadCurveOn(design, rail, way));
+        const BSpline3& longer = design.find<FixationCurve>(rail)->curve;
+        EXPECT_EQ(longer.pointCount(), curve.pointCount() + curve.degree());
+        for (int k = 0; k <= 40; ++k) {
+            const double at = curve.domainStart() + curve.period() * k / 40;
+            EXPECT_LT((longer.at(at) - curve.at(at)).norm(), 1e-9);
+        }
+        const bool atFront = (longer.points().front() - way.back()).norm() < 1e-9;
+        EXPECT_EQ(atFront, meets == curve.points().front());
+        EXPECT_LT(((atFront ? longer.points().front() : longer.points().back()) - way.back()).norm(), 1e-9);
+        if (curve.degree() > 1)
+            for (const Vec3& place : way)
+                EXPECT_LT(longer.closest(place).distance, 1);
+    }
+}
+
+TEST(LeadingCurvesOn, WhatIsFixedToAllOfTheCurveStaysWhereItWas)
+{
+    const BSpline3 curve(1, false, {{0, 0, 0}, {200, 0, 0}});
+    FixationSeam fixed;
+    fixed.curve = rail;
+    Design design = Design().with(
+        {{}, {{rail, nullptr, makeElement(FixationCurve{"Rail", curve})}, {hoop, nullptr, makeElement(fixed)}}});
+    const std::vector<Vec3> way{{200, 0, 0}, {260, 0, 0}};
+    design = design.with(leadCurveOn(design, rail, way));
+    EXPECT_EQ(design.find<FixationSeam>(hoop)->curveRange, std::pair(0.0, 1.0));
+    EXPECT_TRUE(leadCurveOn(design, rail, std::span(way).first(1)).empty());
+    const BSpline3 ring(1, true, {{0, 0, 0}, {200, 0, 0}, {0, 100, 0}});
+    design = design.with({{}, {{second, nullptr, makeElement(FixationCurve{"Ring", ring})}}});
+    EXPECT_TRUE(leadCurveOn(design, second, way).empty()) << "a ring has no end";
 }
 
 } // namespace

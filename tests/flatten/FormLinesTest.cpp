@@ -122,6 +122,22 @@ TEST(FormLines, ThatEndInsideAreCutInAndSayWhere)
     EXPECT_EQ(form.pieces.size(), 1U);
     ASSERT_EQ(form.notes.size(), 1U);
     EXPECT_NE(form.notes.front().english().find("Upright ends inside a piece"), std::string::npos);
+    ASSERT_EQ(form.openEnds.size(), 1U);
+    const OpenEnd& end = form.openEnds.front();
+    EXPECT_EQ(end.line, "Upright");
+    const auto fromAxis = [](const Vec3& at) { return std::hypot(at.x(), at.y()); };
+    EXPECT_NEAR(end.way.front().z(), line.points.back().z(), 5);
+    EXPECT_TRUE(form.notes.front().english().find(" mm away") != std::string::npos);
+    const Vec3& border = end.way.back(); // above it, or one of the straight edges
+    EXPECT_TRUE(std::abs(border.z() - height) < 1e-6 || std::abs(border.y()) < 1e-6);
+    for (const Vec3& at : end.way)
+        EXPECT_NEAR(fromAxis(at), radius, 0.5) << "on the form";
+
+    // Along that way the piece is divided.
+    line.points.insert(line.points.end(), end.way.begin(), end.way.end());
+    const Form divided = cutAlongLines(halfPipe(radius, height), {line});
+    EXPECT_EQ(divided.pieces.size(), 2U);
+    EXPECT_TRUE(divided.openEnds.empty());
     const FormPattern made = formPattern(form, flatten(form, {}), {});
     EXPECT_EQ(made.seams.size(), 1U) << "as a dart is sewn";
     expectSound(form);

@@ -213,5 +213,27 @@ TEST(Form, EdgesOfThreeFacesAreBorders)
     expectMatesAgree(form);
 }
 
+TEST(Form, SaysWhereBodiesGoThroughEachOther)
+{
+    const auto noted = [](const Vec3& offset) {
+        TriangleMesh moved = tray(100, 60);
+        for (Vec3& point : moved.points)
+            point += offset;
+        const Form form = cutForm(sideBySide(tray(200, 60), moved), {});
+        const auto note = std::ranges::find_if(form.notes, [](const Message& each) {
+            return each.english().find("go through each other") != std::string::npos;
+        });
+        return note != form.notes.end() ? note->english() : std::string();
+    };
+    const std::string through = noted({150, 50, 20});
+    EXPECT_NE(through.find("(200, "), std::string::npos) << through << ": its wall at x = 200";
+    EXPECT_NE(through.find("such pairs: 1"), std::string::npos) << through;
+    EXPECT_EQ(noted({50, 50, -0.5}), "") << "by less than a mm";
+    EXPECT_NE(noted({50, 50, -5}), "");
+    EXPECT_EQ(noted({250, 0, 0}), "") << "beside";
+    EXPECT_EQ(noted({200, 50, 0}), "") << "it only touches it";
+    EXPECT_EQ(noted({50, 50, -80}), "") << "below";
+}
+
 } // namespace
 } // namespace bolster::test

@@ -64,6 +64,31 @@ TEST(FitGoals, OneLimitHoldsInEveryDirection)
     EXPECT_EQ(areaOver(symmetric(0.012, 0.012, 0.02)), 1) << "2.2 % on the bias, less along every thread";
 }
 
+/// Whoever looks at the pattern does not see whether an edge is straight to a twentieth of a millimetre.
+TEST(FitGoals, EdgesThatLookStraightKeepTheirBow)
+{
+    const auto square = [](double bow) {
+        constexpr double side = 400;
+        const std::vector<Vec2> points{{0, 0},       {130, -bow}, {270, -bow}, {side, 0}, {side, 130}, {side, 270},
+                                       {side, side}, {270, side}, {130, side}, {0, side}, {0, 270},    {0, 130}};
+        Patch patch;
+        patch.outline = BSpline2::withCorners(points, {0, 3, 6, 9});
+        return Design().with({{}, {{ElementId{1}, nullptr, makeElement(std::move(patch))}}});
+    };
+    const auto cost = [&](double before, double after, bool locked) {
+        FitLocks locks;
+        locks.straight = locked;
+        const FitGoals none;
+        const Design design = square(before);
+        return FitRows(none, locks, design).rows(SurfaceTopology(), {}, square(after)).squaredNorm();
+    };
+    EXPECT_EQ(cost(0.5, 0.5, true), 0);
+    EXPECT_NEAR(cost(0.5, 1.5, true), cost(0, 1, true), 1e-9);
+    EXPECT_GT(cost(0.5, 1.5, true), 1);
+    EXPECT_EQ(cost(0.5, 1.5, false), 0);
+    EXPECT_EQ(cost(3, 4, true), 0) << "that is seen to be bent";
+}
+
 /// Else what is too tight is eased by faces going slack.
 TEST(FitGoals, ClothThatIsPressedTogetherCountsSoonerThanStretch)
 {

@@ -4,6 +4,7 @@
 #include "Document.h"
 #include "PatternView.h"
 #include "ProblemSet.h"
+#include "SegmentDistance.h"
 #include "Selection.h"
 #include "StretchToFix.h"
 
@@ -130,6 +131,35 @@ TEST_F(FixationDrawing, FollowsTheFrameBetweenClicks)
     EXPECT_TRUE(QTest::qWaitFor([&] { return ended.count() == 1; }));
     document.undo();
     EXPECT_EQ(curvesOf(document).size(), 1u) << "one edit";
+}
+
+TEST_F(FixationDrawing, IsDrawnToWhatAWindowOffersWhenNearUnlessCtrlIsHeld)
+{
+    showFrame();
+    GuestMarks guests;
+    guests.catching = {{onTube(-60, 120), onTube(0, 120), onTube(60, 120)},
+                       {Vec3(350, 80, -80), Vec3(50, 80, -80)}};
+    view.shown().setGuests(guests);
+    const Vec3 offered = 0.5 * (onTube(-60, 120) + onTube(0, 120));
+    const auto drawTo = [&](QPointF end, Qt::KeyboardModifiers keys) {
+        view.setTool(CoverToolKind::DrawFixation);
+        mouse.click(pixel(onTube(-30, 60)));
+        QTest::mouseClick(&view, Qt::LeftButton, keys, end.toPoint());
+        QTest::keyClick(&view, Qt::Key_B);
+        QTest::keyClick(&view, Qt::Key_Return);
+        return curvesOf(document).back().curve.points().back();
+    };
+    const QPointF beside = pixel(offered) + QPointF(0, 5);
+    const double size = view.navigation().camera().pixelSize(offered);
+    const auto away = [&](const Vec3& at) {
+        return nearestOnSegment<3>(at, onTube(-60, 120), onTube(0, 120)) - at;
+    };
+    EXPECT_LT(away(drawTo(beside, {})).norm(), 1e-9);
+    EXPECT_GT(away(drawTo(beside, Qt::ControlModifier)).norm(), 2 * size);
+    EXPECT_GT(away(drawTo(pixel(offered) + QPointF(0, 20), {})).norm(), 10 * size) << "too far away";
+    // Behind the tube nothing is caught.
+    const QPointF over = pixel(Vec3(200, 80, -80));
+    EXPECT_GT(drawTo(over, {}).z(), 0);
 }
 
 OfferedEdgesPtr rims()

@@ -29,6 +29,15 @@ struct SceneDot {
     float hidden = 0.5F;
 };
 
+/// What a window beside the view shows in it.
+struct GuestMarks {
+    std::vector<SceneLine> lines;
+    std::vector<SceneDot> dots;
+    std::vector<std::vector<Vec3>> catching = {}; ///< mm: rows of places to which curves are drawn when near
+
+    bool isEmpty() const { return lines.empty() && dots.empty() && catching.empty(); }
+};
+
 /// What is drawn, and what only a window draws over it.
 struct ViewScene : Scene {
     /// Dots of constant size in the picture.

@@ -144,11 +144,11 @@ void ShownScene::setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs)
     refreshMarks(false);
 }
 
-void ShownScene::setGuestLines(std::vector<SceneLine> lines)
+void ShownScene::setGuests(GuestMarks marks)
 {
-    if (lines.empty() && m_guestLines.empty())
+    if (marks.isEmpty() && m_guests.isEmpty())
         return;
-    m_guestLines = std::move(lines);
+    m_guests = std::move(marks);
     refreshMarks(false);
 }
 
@@ -255,7 +255,8 @@ void ShownScene::updateMarks()
     if (m_overlay)
         for (SceneLine& line : m_overlay())
             m_scene.lines.push_back(std::move(line));
-    m_scene.lines.insert(m_scene.lines.end(), m_guestLines.begin(), m_guestLines.end());
+    m_scene.lines.insert(m_scene.lines.end(), m_guests.lines.begin(), m_guests.lines.end());
+    m_scene.dots.insert(m_scene.dots.end(), m_guests.dots.begin(), m_guests.dots.end());
 }
 
 void ShownScene::refreshMarks(bool moving)

@@ -60,7 +60,8 @@ public:
     /// A box around these pieces of a frame (FramePieces), hidden or not; without any: none.
     void showFramePieces(bolster::ElementId frame, const std::vector<int>& pieces);
     /// Of a window beside the view, over everything, never cut; without any: none.
-    void setGuestLines(std::vector<SceneLine> lines);
+    void setGuests(GuestMarks marks);
+    const GuestMarks& guests() const { return m_guests; }
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
     /// Where it is cut open; nothing: not cut open.
@@ -123,7 +124,7 @@ private:
     DesignFiles m_files;
     FramePieceBox m_pieces;
     Overlay m_overlay;
-    std::vector<SceneLine> m_guestLines;
+    GuestMarks m_guests;
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;
     std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
     CoverCurves m_curves;

@@ -189,7 +189,10 @@ void readLocks(const Arguments& arguments, const Design& design, Asked& asked)
     if (!arguments.has("--lock"))
         return;
     asked.order.locks.lengths = asked.order.locks.straight = false;
-    for (const std::string& word : wordsOf(arguments.path("--lock"), "--lock")) {
+    const std::vector<std::string> words = wordsOf(arguments.path("--lock"), "--lock");
+    if (words.size() > 1 && std::ranges::find(words, "none") != words.end())
+        throw UsageError("--lock takes none alone");
+    for (const std::string& word : words) {
         if (word == "lengths")
             asked.order.locks.lengths = true;
         else if (word == "straight")

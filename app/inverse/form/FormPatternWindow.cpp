@@ -1,6 +1,7 @@
 #include "FormPatternWindow.h"
 
 #include "CopyPaste.h"
+#include "CurveEdits.h"
 #include "DesignJson.h"
 #include "DesignSession.h"
 #include "Division.h"
@@ -43,6 +44,7 @@ constexpr int mostLinesSaid = 9;        // that are seen at once
 constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
 constexpr std::size_t mostShown = 1500; // edges of what is left out
 constexpr double seenBend = 12;         // degrees, of such edges
+constexpr float openEndRadius = 5;      // pixels
 
 Box2 layoutBox(const Design& design)
 {
@@ -83,6 +85,16 @@ bool sameShape(const Frame* a, const Frame* b)
            static_cast<const Placement&>(*a) == static_cast<const Placement&>(*b);
 }
 
+std::vector<Vec3> placesAround(const Form& form, const FormPiece& piece)
+{
+    std::vector<Vec3> places;
+    for (const int vertex : piece.border)
+        places.push_back(form.points[piece.points[vertex]]);
+    if (!places.empty())
+        places.push_back(places.front());
+    return places;
+}
+
 } // namespace
 
 FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver, ShownScene& scene,
@@ -121,7 +133,7 @@ FormPatternWindow::FormPatternWindow(DesignSession& session, SolverLink& solver,
 FormPatternWindow::~FormPatternWindow()
 {
     *m_remembered = m_wishes->wishes();
-    m_scene.setGuestLines({});
+    m_scene.setGuests({});
     m_job.cancel();
     m_coverJob.cancel();
 }
@@ -150,6 +162,7 @@ void FormPatternWindow::build()
     m_wishes = new FormWishesPanel(m_session, m_solver, this);
     connect(m_wishes, &FormWishesPanel::formChosen, this, &FormPatternWindow::formChosen);
     connect(m_wishes, &FormWishesPanel::changed, this, [this] { ask(false); });
+    connect(m_wishes, &FormWishesPanel::leadOnWanted, this, &FormPatternWindow::leadLinesOn);
     connect(m_wishes, &FormWishesPanel::outsideChanged, this, [this] {
         if (!made() || !made()->problem.empty())
             return;
@@ -234,6 +247,7 @@ void FormPatternWindow::ask(bool draft)
     m_cover.reset();
     m_solving = false;
     m_make->setEnabled(false);
+    m_wishes->offerToLeadOn(nullptr);
     if (draft && m_wishes->divides()) { // that takes longer than a drag waits
         m_said->setText(tr("It is laid flat again when you let go."));
         return;
@@ -288,6 +302,8 @@ void FormPatternWindow::clear()
 {
     m_made.reset();
     m_wishes->offer(nullptr);
+    const Form none;
+    m_wishes->offerToLeadOn(&none);
     m_view->show(nullptr, bearableStrain(m_wishes->fabric()));
     showOnForm();
 }
@@ -305,6 +321,7 @@ void FormPatternWindow::take(FormMade made)
     showOnForm();
     tellOfFile();
     m_wishes->offer(&m_made->pattern);
+    m_wishes->offerToLeadOn(this->made() ? &m_made->form : nullptr);
     solveCover();
     const FormPattern& pattern = m_made->pattern;
     const bool whole = pattern.isEmpty() || std::ranges::count(pattern.patches, noElement) == 0;
@@ -324,7 +341,7 @@ void FormPatternWindow::tellOfFile()
 /// Borders of the pieces; another colour around what is left out, and around the one under the pointer.
 void FormPatternWindow::showOnForm()
 {
-    std::vector<SceneLine> lines;
+    GuestMarks marks;
     const std::size_t count = m_made && m_made->problem.empty() ? m_made->pattern.patches.size() : 0;
     const ViewColors colors = ViewColors::of(palette());
     const auto add = [&](const FormPiece& piece, const auto& vertices, const QColor& color, float width) {
@@ -332,7 +349,7 @@ void FormPatternWindow::showOnForm()
         for (const int vertex : vertices)
             line.points.push_back(m_made->form.points[piece.points[vertex]].template cast<float>());
         if (line.points.size() > 1)
-            lines.push_back(std::move(line));
+            marks.lines.push_back(std::move(line));
     };
     const auto addBorder = [&](std::size_t p, const QColor& color, float width) {
         const FormPiece& piece = m_made->form.pieces[p];
@@ -357,7 +374,39 @@ void FormPatternWindow::showOnForm()
     }
     if (m_view->hovered() && *m_view->hovered() < count)
         addBorder(*m_view->hovered(), colors.hover, 4);
-    m_scene.setGuestLines(std::move(lines));
+    if (count > 0)
+        addOpenEnds(marks);
+    for (std::size_t p = 0; p < count; ++p)
+        marks.catching.push_back(placesAround(m_made->form, m_made->form.pieces[p]));
+    m_scene.setGuests(std::move(marks));
+}
+
+/// Where lines end that divide nothing, and the nearest way on from there.
+void FormPatternWindow::addOpenEnds(GuestMarks& marks) const
+{
+    const ViewColors colors = ViewColors::of(palette());
+    for (const OpenEnd& end : m_made->form.openEnds) {
+        SceneLine way{{}, colors.error, 2.5F, hiddenLines};
+        for (const Vec3& place : end.way)
+            way.points.push_back(place.cast<float>());
+        marks.dots.push_back({way.points.front(), colors.error, Qt::white, openEndRadius});
+        if (way.points.size() > 1)
+            marks.lines.push_back(std::move(way));
+    }
+}
+
+/// Lines that end inside pieces go on to what is nearest, as it is shown.
+void FormPatternWindow::leadLinesOn()
+{
+    if (!made())
+        return;
+    m_document.cancelGesture();
+    const Design& before = m_document.design();
+    Design design = before;
+    for (const OpenEnd& end : made()->form.openEnds)
+        if (const ElementId line = m_wishes->lineEndingAt(end.way.front()); line != noElement)
+            design = design.with(edits::leadCurveOn(design, line, end.way));
+    m_document.commit(editBetween(before, design, {QT_TRANSLATE_NOOP("Message", "Lead open seam lines on"), {}}));
 }
 
 /// What its cover will be like: laid flat, nothing holds it where it is strained most.

@@ -23,6 +23,7 @@ class DesignSession;
 class FlatPiecesView;
 class FormWishesPanel;
 struct FormPatternWishes;
+struct GuestMarks;
 class RunningJob;
 class ShownScene;
 class SolverLink;
@@ -57,6 +58,8 @@ private:
     void take(FormMade made);
     void say();
     void showOnForm();
+    void addOpenEnds(GuestMarks& marks) const;
+    void leadLinesOn();
     void tellOfFile();
     void solveCover();
     void make();

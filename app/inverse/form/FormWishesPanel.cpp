@@ -16,6 +16,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -93,6 +94,14 @@ void FormWishesPanel::build()
     connect(m_lines, &SeamLineList::ticksChanged, this, &FormWishesPanel::changed);
     rows->addWidget(new QLabel(tr("and along the ticked lines:"), this));
     rows->addWidget(m_lines, 1);
+    m_leadOn = new QPushButton(this);
+    m_leadOn->setToolTip(
+        tr("They end inside a piece (red in the 3D view) and do not divide it: each goes on to the "
+           "border or line that is nearest, along the red way"));
+    m_leadOn->setAutoDefault(false);
+    m_leadOn->hide();
+    connect(m_leadOn, &QPushButton::clicked, this, &FormWishesPanel::leadOnWanted);
+    rows->addWidget(m_leadOn);
     buildOffers(*rows);
 }
 
@@ -136,6 +145,7 @@ void FormWishesPanel::buildOffers(QVBoxLayout& rows)
     m_replace = new QCheckBox(this);
     m_replace->setToolTip(tr("Patches that this form became before go, with their seams and the curves that hold "
                              "nothing else. One Undo brings them back."));
+    m_replace->setChecked(true); // two covers on one form nobody wants
     connect(m_replace, &QCheckBox::toggled, this, &FormWishesPanel::sayWhatIsFreed);
     m_replaceNote = new QLabel(this);
     m_replaceNote->setWordWrap(true);
@@ -358,6 +368,36 @@ void FormWishesPanel::offer(const FormPattern* pattern)
 void FormWishesPanel::offerOutside(const FormPattern& pattern)
 {
     m_outside->setVisible(pattern.hasClosed && frame() && !frame()->contact);
+}
+
+void FormWishesPanel::offerToLeadOn(const Form* form)
+{
+    m_leadOn->setEnabled(form != nullptr);
+    if (!form)
+        return;
+    const auto count = std::ranges::count_if(form->openEnds, [&](const OpenEnd& end) {
+        return end.way.size() > 1 && lineEndingAt(end.way.front()) != noElement;
+    });
+    m_leadOn->setVisible(count > 0);
+    m_leadOn->setText(tr("Lead %n open ends &on", nullptr, static_cast<int>(count)));
+}
+
+ElementId FormWishesPanel::lineEndingAt(const Vec3& place) const
+{
+    constexpr double farthest = 30; // mm: lines may lie beside the form
+    ElementId found = noElement;
+    double nearest = farthest;
+    for (const ElementId id : m_lines->tickedCurves()) {
+        const auto* line = m_document.design().find<FixationCurve>(id);
+        if (!line || line->curve.empty() || line->curve.closed())
+            continue;
+        for (const Vec3& end : {line->curve.points().front(), line->curve.points().back()})
+            if (const double distance = (end - place).norm(); distance < nearest) {
+                nearest = distance;
+                found = id;
+            }
+    }
+    return found;
 }
 
 void FormWishesPanel::offerToReplace(const FormPattern& pattern)

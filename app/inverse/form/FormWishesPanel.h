@@ -13,6 +13,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace bolster {
@@ -69,6 +70,11 @@ public:
     /// The same, when only the frame may have changed.
     void offerOutside(const FormPattern& pattern);
 
+    /// Lines that end inside a piece; null: it is not known yet whether there are such.
+    void offerToLeadOn(const Form* form);
+    /// The ticked line that ends nearest to a place; none where none ends near it.
+    ElementId lineEndingAt(const Vec3& place) const;
+
     /// Of the design as it is now.
     void refillLines();
     void refillWaysToCut();
@@ -77,6 +83,7 @@ signals:
     void formChosen();
     void changed();
     void outsideChanged();
+    void leadOnWanted();
 
 private:
     void build();
@@ -102,6 +109,7 @@ private:
               *m_outside = nullptr, *m_replace = nullptr;
     NumberBox* m_angle = nullptr;
     SeamLineList* m_lines = nullptr;
+    QPushButton* m_leadOn = nullptr;
     QLabel* m_replaceNote = nullptr;
     int m_freed = 0;               ///< curves that hold nothing when patches are replaced
     bool m_linesElsewhere = false; ///< than on the form

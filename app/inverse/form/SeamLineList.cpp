@@ -102,13 +102,21 @@ void SeamLineList::setStates(const States& states)
             line->setCheckState(0, known->second);
 }
 
+std::vector<ElementId> SeamLineList::tickedCurves() const
+{
+    std::vector<ElementId> curves;
+    for (const QTreeWidgetItem* item : items())
+        if (item->checkState(0) == Qt::Checked)
+            curves.push_back(curveOf(*item));
+    return curves;
+}
+
 std::vector<FormLine> SeamLineList::ticked(const Design& design) const
 {
     Design ticked;
-    for (const QTreeWidgetItem* item : items())
-        if (item->checkState(0) == Qt::Checked)
-            if (const ElementPtr curve = design.element(curveOf(*item)))
-                ticked = ticked.with({{}, {{curveOf(*item), nullptr, curve}}});
+    for (const ElementId id : tickedCurves())
+        if (const ElementPtr curve = design.element(id))
+            ticked = ticked.with({{}, {{id, nullptr, curve}}});
     return linesOf(ticked);
 }
 

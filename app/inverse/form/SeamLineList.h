@@ -26,6 +26,7 @@ public:
     States states() const;
     void setStates(const States& states);
 
+    std::vector<ElementId> tickedCurves() const;
     std::vector<FormLine> ticked(const Design& design) const;
 
 signals:

@@ -13,5 +13,8 @@ Edit moveCurvePoints(const Design& design, ElementId id, std::span<const int> po
 Edit insertCurvePoint(const Design& design, ElementId id, double parameter);
 /// Removes a control point with the least change of shape.
 Edit removeCurvePoint(const Design& design, ElementId id, int point);
+/// Leads an open curve on from its end that is nearest to where the way (mm) begins, along the way. What is fixed
+/// to all of it stays fixed to where it was. Empty for closed curves.
+Edit leadCurveOn(const Design& design, ElementId id, std::span<const Vec3> way);
 
 } // namespace bolster::edits

@@ -6,6 +6,7 @@
 #include "ScanIndex.h"
 #include "TriangleMesh.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -80,9 +81,13 @@ struct FitGoals {
 struct FitLocks {
     bool lengths =
         true; ///< sides of seams keep their difference; when that is far from their ease they come nearer to it
-    bool straight = true;                          ///< edges that are straight, within straightWithin, stay so
-    static constexpr double straightWithin = 0.05; ///< mm
-    bool corners = false;                          ///< keep their angles
+    bool straight = true;                           ///< edges that look straight keep the bow that they have
+    static constexpr double straightShare = 0.0015; ///< of its length an edge that looks straight bows at most
+    static constexpr double straightWithin(double length) ///< mm, of mm
+    {
+        return std::clamp(straightShare * length, 0.05, 1.0);
+    }
+    bool corners = false; ///< keep their angles
     bool ease = true; ///< eases stay; else sides of seams may differ as they like, and eases become what they are
     double change = 0.005; ///< weight of 1 mm that a control point moves
 };

@@ -32,7 +32,15 @@ constexpr double beyondShape = 4;    // weight of 1 mm that the cover goes farth
 constexpr double nearlyBeyond = 0.9; // of how far it may go: there that begins
 constexpr double sizeWeight = 8;     // 1 % of a patch's width is as bad as so many mm
 
-/// Control points of a straight edge, its ends included.
+/// mm: how far a control point of an edge lies to the left of the line between the edge's ends.
+double bowAt(const BSpline2& outline, const std::vector<int>& edge, std::size_t k)
+{
+    const Vec2 from = outline.points()[edge.front()], at = outline.points()[edge[k]] - from;
+    const Vec2 way = outline.points()[edge.back()] - from;
+    return way.norm() > 0 ? (way.x() * at.y() - way.y() * at.x()) / way.norm() : at.norm();
+}
+
+/// Control points of each straight edge, its ends included.
 std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
 {
     std::vector<std::vector<int>> edges;
@@ -48,12 +56,12 @@ std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
             if (std::ssize(edge) > outline.pointCount())
                 break;
         }
-        const Vec2 from = outline.points()[edge.front()], way = outline.points()[edge.back()] - from;
-        const auto off = [&](int i) {
-            const Vec2 at = outline.points()[i] - from;
-            return way.norm() > 0 ? std::abs(way.x() * at.y() - way.y() * at.x()) / way.norm() : at.norm();
-        };
-        if (edge.size() > 2 && std::ranges::all_of(edge, [&](int i) { return off(i) < FitLocks::straightWithin; }))
+        const double within =
+            FitLocks::straightWithin((outline.points()[edge.back()] - outline.points()[edge.front()]).norm());
+        bool isStraight = edge.size() > 2;
+        for (std::size_t i = 1; i + 1 < edge.size(); ++i)
+            isStraight = isStraight && std::abs(bowAt(outline, edge, i)) < within;
+        if (isStraight)
             edges.push_back(std::move(edge));
     }
     return edges;
@@ -265,14 +273,10 @@ void FitRows::addPattern(const Design& design, std::vector<double>& rows) const
         if (!patch)
             return;
         if (m_locks.straight)
-            for (const std::vector<int>& edge : straightEdges(before.outline)) {
-                const Vec2 from = patch->outline.points()[edge.front()];
-                const Vec2 way = (patch->outline.points()[edge.back()] - from).normalized();
-                for (std::size_t k = 1; k + 1 < edge.size(); ++k) {
-                    const Vec2 at = patch->outline.points()[edge[k]] - from;
-                    rows.push_back(straightWeight * (way.x() * at.y() - way.y() * at.x()));
-                }
-            }
+            for (const std::vector<int>& edge : straightEdges(before.outline))
+                for (std::size_t k = 1; k + 1 < edge.size(); ++k)
+                    rows.push_back(straightWeight *
+                                   (bowAt(patch->outline, edge, k) - bowAt(before.outline, edge, k)));
         if (m_locks.corners)
             for (const double corner : before.outline.corners())
                 rows.push_back(cornerWeight *

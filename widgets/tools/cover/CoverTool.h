@@ -24,6 +24,8 @@ public:
     /// The same point of the cover (mm) and of the pattern; nothing where there is no cover.
     virtual std::optional<Vec3> onCover(const PatchPoint& point) const = 0;
     virtual std::optional<PatchPoint> inPattern(const CoverHit& solid) const = 0;
+    /// Rows of places (mm) to which curves are drawn when near.
+    virtual const std::vector<std::vector<Vec3>>& catching() const = 0;
     /// Of what is shown of an element with a placement; its position when nothing is.
     virtual Vec3 middleOf(ElementId id) const = 0;
 };

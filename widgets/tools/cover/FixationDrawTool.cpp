@@ -4,6 +4,7 @@
 #include "DrawingKeys.h"
 #include "ElementEdits.h"
 #include "SceneMarks.h"
+#include "SegmentDistance.h"
 #include "Selection.h"
 #include "ToolGeometry.h"
 #include "Units.h"
@@ -46,11 +47,41 @@ std::optional<Vec3> FixationDrawTool::curveEndAt(QPointF pixel) const
     return found;
 }
 
+/// Not on the far side of what is hit.
+std::optional<Vec3> FixationDrawTool::caughtAt(QPointF pixel, const CoverHit& hit) const
+{
+    constexpr double mostAside = 3; // times its reach, in space: where the surface is seen at a flat angle
+    const Camera& camera = m_context.toolCamera();
+    const Vec2 at(pixel.x(), pixel.y());
+    std::optional<Vec3> found;
+    double nearest = curveReach;
+    const auto look = [&](const Vec3& a, const Vec3& b) {
+        const std::optional<Vec2> from = camera.pixel(a), to = camera.pixel(b);
+        if (!from || !to)
+            return;
+        const Vec2 on = nearestOnSegment<2>(at, *from, *to);
+        const double distance = (on - at).norm(), length = (*to - *from).norm();
+        const Vec3 place = length > 0 ? Vec3(a + (on - *from).norm() / length * (b - a)) : a;
+        if (distance > nearest ||
+            (hit && (place - hit.position).norm() > mostAside * curveReach * camera.pixelSize(place)))
+            return;
+        nearest = distance;
+        found = place;
+    };
+    for (const std::vector<Vec3>& row : m_context.catching())
+        for (std::size_t k = 1; k < row.size(); ++k)
+            look(row[k - 1], row[k]);
+    return found;
+}
+
 std::optional<FixationDrawTool::Point> FixationDrawTool::pointAt(const CoverPointer& pointer) const
 {
     const CoverHit hit = m_context.ground(pointer.pixel);
     if (const std::optional<Vec3> end = curveEndAt(pointer.pixel))
         return Point{*end, hit ? hit.kind : CoverHit::Kind::Frame};
+    if (!(pointer.modifiers & Qt::ControlModifier))
+        if (const std::optional<Vec3> place = caughtAt(pointer.pixel, hit))
+            return Point{*place, hit ? hit.kind : CoverHit::Kind::Frame};
     return hit ? std::optional(Point{hit.position, hit.kind}) : groundAt(pointer);
 }
 

@@ -9,7 +9,8 @@
 
 namespace bolster {
 
-/// Clicks set points on a frame, or on the cover where there is none, or on the end of another curve; the curve
+/// Clicks set points on a frame, or on the cover where there is none, or on the end of another curve, or on what a
+/// window beside the view offers, such as the border of a form, but for Ctrl; the curve
 /// follows the surface between them. Where there is nothing at all they lie on the ground, or as high as the point
 /// before. Places can be typed; a curve with such a point goes through the air. A double click or Enter ends it, a
 /// click on the first point or C closes it. B switches between smooth along the
@@ -49,6 +50,7 @@ private:
     void pointTyped();
     void enter();
     std::optional<Vec3> curveEndAt(QPointF pixel) const;
+    std::optional<Vec3> caughtAt(QPointF pixel, const CoverHit& hit) const;
     bool closes(QPointF pixel) const;
     bool near(const Vec3& point, QPointF pixel) const;
     CoverPath path(bool closed, bool withNext) const;

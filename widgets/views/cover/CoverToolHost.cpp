@@ -159,6 +159,11 @@ std::optional<PatchPoint> CoverToolHost::inPattern(const CoverHit& solid) const
     return found ? std::optional(PatchPoint{found->patch, found->outline}) : std::nullopt;
 }
 
+const std::vector<std::vector<Vec3>>& CoverToolHost::catching() const
+{
+    return m_shown.guests().catching;
+}
+
 Vec3 CoverToolHost::middleOf(ElementId id) const
 {
     return m_shown.middleOf(id);

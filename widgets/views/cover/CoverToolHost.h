@@ -51,6 +51,7 @@ private:
     std::optional<CoverFoot> nearest(const Vec3& point, CoverHit::Kind on) const override;
     std::optional<Vec3> onCover(const PatchPoint& point) const override;
     std::optional<PatchPoint> inPattern(const CoverHit& solid) const override;
+    const std::vector<std::vector<Vec3>>& catching() const override;
     Vec3 middleOf(ElementId id) const override;
 
     ShownScene& m_shown;
