@@ -5579,14 +5579,6 @@
         <translation>Die zweite Seite endet innerhalb einer Kante, also wurde die erste geändert.</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>%1 Flächen der Form wurden umgedreht</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>%1 Kanten der Form gehören zu mehr als zwei Flächen: Sie sind Ränder, dort wird nichts genäht</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>es hat kein Dreieck mit einer Fläche</translation>
     </message>
@@ -5987,10 +5979,6 @@
         <translation>stattdessen gilt der übliche Wert</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>%1 Flächen der Form liegen da, wo schon eine andere liegt, und werden weggelassen</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>es ist das Projekt, das hier offen ist; wählen Sie einen anderen Namen</translation>
     </message>
@@ -6173,6 +6161,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>Zu schmal für die Dreiecke des Bezugs mit %1 mm langen Kanten, sodass er nicht gerechnet werden kann: %2. Machen Sie die Netzkanten kürzer, oder verbinden Sie sie mit dem, was daneben liegt</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>Offene Nahtlinien weiterführen</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>%1 weiterführen</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>Körper der Form gehen durcheinander hindurch, etwa bei %1: Was von einem in einem anderen liegt, wird auch bezogen und hinausgedrückt. Vereinigen Sie sie vorher, oder lassen Sie einen weg. Anzahl solcher Paare: %2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>Flächen der Form, die liegen, wo schon eine andere liegt, und weggelassen werden: %1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>Umgedrehte Flächen der Form: %1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>Kanten der Form, die zu mehr als zwei Flächen gehören, sodass sie Ränder sind und dort nichts genäht wird: %1</translation>
     </message>
 </context>
 <context>
@@ -9599,8 +9611,8 @@
         <translation>Wählen Sie ein Ziel.</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>Kanten, die auf %1 gerade sind, bleiben es; solche, die nur gerade aussehen, dürfen sich biegen</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>Kanten, die gerade aussehen, bleiben es: solche, die sich auf %2 um weniger als %1 wölben</translation>
     </message>
 </context>
 <context>
@@ -9805,6 +9817,17 @@
         <translation>
             <numerusform>(%n Kurve, die sie hält, hält dann nichts mehr)</numerusform>
             <numerusform>(%n Kurven, die sie halten, halten dann nichts mehr)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>Sie enden in einem Teil (rot in der 3D-Ansicht) und teilen es nicht: Jede geht auf dem roten Weg zum Rand oder zur Linie weiter, die am nächsten ist</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>%n offenes Ende weiter&amp;führen</numerusform>
+            <numerusform>%n offene Enden weiter&amp;führen</numerusform>
         </translation>
     </message>
 </context>

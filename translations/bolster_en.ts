@@ -207,6 +207,13 @@
             <numerusform>(%n curves that hold them will hold nothing)</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>Lead the open end &amp;on</numerusform>
+            <numerusform>Lead %n open ends &amp;on</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::ImportPatternDialog</name>

@@ -5579,14 +5579,6 @@
         <translation>El segundo lado termina dentro de un borde, así que se cambió el primero.</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>se dio la vuelta a %1 caras de la forma</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>%1 aristas de la forma pertenecen a más de dos caras: son bordes, allí no se cose nada</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>no tiene ningún triángulo con área</translation>
     </message>
@@ -5987,10 +5979,6 @@
         <translation>en su lugar se usa el valor habitual</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>%1 caras de la forma están donde ya hay otra y se omiten</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>es el proyecto que está abierto aquí; elija otro nombre</translation>
     </message>
@@ -6173,6 +6161,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>Demasiado estrechas para los triángulos de la funda, cuyas aristas miden %1&#xa0;mm, así que no se puede calcular: %2. Acorte las aristas de malla, o únalas a lo que está al lado</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>Prolongar las líneas de costura abiertas</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>Prolongar %1</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>Hay cuerpos de la forma que se atraviesan, como en %1: lo que de uno queda dentro de otro también se tapiza y es empujado hacia fuera. Únalos antes o deje uno fuera. Número de esos pares: %2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>Caras de la forma que están donde ya hay otra y se omiten: %1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>Caras de la forma a las que se dio la vuelta: %1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>Aristas de la forma que pertenecen a más de dos caras, por lo que son bordes y allí no se cose nada: %1</translation>
     </message>
 </context>
 <context>
@@ -9599,8 +9611,8 @@
         <translation>Elija un objetivo.</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>Los bordes rectos dentro de %1 siguen rectos; los que solo lo parecen pueden curvarse</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>Los bordes que parecen rectos siguen así: los que se arquean menos de %1 en %2</translation>
     </message>
 </context>
 <context>
@@ -9805,6 +9817,17 @@
         <translation>
             <numerusform>(%n curva que las sujeta no sujetará nada)</numerusform>
             <numerusform>(%n curvas que las sujetan no sujetarán nada)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>Terminan dentro de una pieza (rojo en la vista 3D) y no la dividen: cada una sigue hasta el borde o la línea más próximos, por el camino rojo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>Pr&amp;olongar %n extremo abierto</numerusform>
+            <numerusform>Pr&amp;olongar %n extremos abiertos</numerusform>
         </translation>
     </message>
 </context>

@@ -5579,14 +5579,6 @@
         <translation>Le second côté finit à l’intérieur d’un bord, le premier a donc été modifié.</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>%1 faces de la forme ont été retournées</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>%1 arêtes de la forme appartiennent à plus de deux faces&#x202f;: ce sont des bordures, rien n’y est cousu</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>elle n’a aucun triangle avec une aire</translation>
     </message>
@@ -5987,10 +5979,6 @@
         <translation>la valeur habituelle est utilisée à la place</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>%1 faces de la forme se trouvent là où il y en a déjà une autre, et sont omises</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>c’est le projet qui est ouvert ici&#x202f;; choisissez un autre nom</translation>
     </message>
@@ -6173,6 +6161,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>Trop étroites pour les triangles de la housse, dont les arêtes mesurent %1&#xa0;mm, si bien qu’elle ne peut être calculée&#x202f;: %2. Raccourcissez les arêtes du maillage, ou réunissez-les à ce qui est à côté</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>Prolonger les lignes de couture ouvertes</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>Prolonger %1</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>Des corps de la forme se traversent, par exemple en %1 : ce qui de l’un se trouve dans un autre est couvert aussi, et repoussé vers l’extérieur. Réunissez-les avant, ou laissez-en un de côté. Nombre de ces paires : %2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>Faces de la forme qui se trouvent là où il y en a déjà une, et sont omises : %1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>Faces de la forme qui ont été retournées : %1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>Arêtes de la forme qui appartiennent à plus de deux faces, de sorte qu’elles sont des bords et que rien n’y est cousu : %1</translation>
     </message>
 </context>
 <context>
@@ -9599,8 +9611,8 @@
         <translation>Choisissez un objectif.</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>Les bords droits à %1 près le restent&#x202f;; ceux qui n’en ont que l’air peuvent se courber</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>Les bords qui paraissent droits le restent : ceux dont la flèche est de moins de %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -9805,6 +9817,17 @@
         <translation>
             <numerusform>(%n courbe qui les tient ne tiendra plus rien)</numerusform>
             <numerusform>(%n courbes qui les tiennent ne tiendront plus rien)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>Elles finissent à l’intérieur d’une pièce (rouge dans la vue 3D) et ne la divisent pas : chacune continue jusqu’au bord ou à la ligne la plus proche, le long du chemin rouge</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>Pr&amp;olonger %n bout ouvert</numerusform>
+            <numerusform>Pr&amp;olonger %n bouts ouverts</numerusform>
         </translation>
     </message>
 </context>

@@ -5579,14 +5579,6 @@
         <translation>Il secondo lato finisce dentro un lato del contorno, perciò è stato modificato il primo.</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>%1 facce della forma sono state invertite</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>%1 spigoli della forma appartengono a più di due facce: sono bordi, lì non si cuce nulla</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>non ha triangoli con un’area</translation>
     </message>
@@ -5987,10 +5979,6 @@
         <translation>al suo posto si usa il valore abituale</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>%1 facce della forma si trovano dove ce n&apos;è già un&apos;altra e sono tralasciate</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>è il progetto aperto qui; scegliere un altro nome</translation>
     </message>
@@ -6173,6 +6161,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>Troppo stretti per i triangoli del rivestimento, i cui lati misurano %1&#xa0;mm, così che non si può calcolare: %2. Accorciare i lati della mesh, o unirli a ciò che sta loro accanto</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>Prolungare le linee di cucitura aperte</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>Prolungare %1</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>Ci sono corpi della forma che si attraversano, come in %1: ciò che di uno sta dentro un altro viene rivestito anch’esso, e spinto fuori. Unirli prima, oppure tralasciarne uno. Numero di queste coppie: %2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>Facce della forma che stanno dove ce n’è già un’altra, e sono tralasciate: %1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>Facce della forma che sono state rivoltate: %1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>Spigoli della forma che appartengono a più di due facce, per cui sono bordi e lì non si cuce nulla: %1</translation>
     </message>
 </context>
 <context>
@@ -9599,8 +9611,8 @@
         <translation>Scegliere un obiettivo.</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>I bordi diritti entro %1 restano tali; quelli che lo sembrano soltanto possono curvarsi</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>I bordi che sembrano diritti restano tali: quelli che si incurvano di meno di %1 su %2</translation>
     </message>
 </context>
 <context>
@@ -9805,6 +9817,17 @@
         <translation>
             <numerusform>(%n curva che li tiene non terrà più niente)</numerusform>
             <numerusform>(%n curve che li tengono non terranno più niente)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>Finiscono dentro un pezzo (rosso nella vista 3D) e non lo dividono: ciascuna prosegue fino al bordo o alla linea più vicina, lungo il percorso rosso</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>Pr&amp;olungare %n estremità aperta</numerusform>
+            <numerusform>Pr&amp;olungare %n estremità aperte</numerusform>
         </translation>
     </message>
 </context>

@@ -5569,14 +5569,6 @@
         <translation>2 番目の側が辺の途中で終わるため、1 番目の側を変更しました。</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>形状の面 %1 枚を反転しました</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>形状のエッジ %1 本が 3 枚以上の面に属しています。境界とみなし、縫いません</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>面積のある三角形がありません</translation>
     </message>
@@ -5977,10 +5969,6 @@
         <translation>代わりに通常の値が使われます</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>形状の面 %1 枚は別の面と重なっているため除かれました</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>ここで開いているプロジェクトです。別の名前を選んでください</translation>
     </message>
@@ -6163,6 +6151,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>カバーの三角形（辺の長さ %1&#xa0;mm）に対して幅が狭すぎ、カバーを計算できないパーツ: %2。メッシュの辺を短くするか、隣のものと一つにしてください</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>開いた縫い目線を延ばす</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>%1を延ばす</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>形状の立体どうしが互いに突き抜けています（例：%1）。一方のうち他方の内側にある部分もカバーされ、外へ押し出されます。先に合体させるか、一方を除いてください。そのような組の数：%2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>他の面と同じ場所にあるため除かれた形状の面：%1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>向きを裏返した形状の面：%1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>三つ以上の面に属するため縁となり、そこでは何も縫われない形状の辺：%1</translation>
     </message>
 </context>
 <context>
@@ -9578,8 +9590,8 @@
         <translation>目標を選んでください。</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>%1 以内で直線の辺はそのままです。直線に見えるだけの辺は曲がることがあります</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>まっすぐに見える縁はそのままです：%2で%1未満しか反っていないもの</translation>
     </message>
 </context>
 <context>
@@ -9781,6 +9793,16 @@
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>（それらを留めている曲線 %n 本は何も留めなくなります）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>パーツの内側で終わっていて（3Dビューで赤）、パーツを分けていません。それぞれ赤い道に沿って最も近い縁または線まで延びます</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>開いた端%n個を延ばす(&amp;O)</numerusform>
         </translation>
     </message>
 </context>

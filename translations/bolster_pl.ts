@@ -5589,14 +5589,6 @@
         <translation>Druga strona kończy się wewnątrz krawędzi, zmieniono więc pierwszą.</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>odwrócone ściany formy: %1</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>krawędzie formy należące do więcej niż dwóch ścian: %1; to brzegi, nic się tam nie szyje</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>nie ma trójkąta o niezerowym polu</translation>
     </message>
@@ -5997,10 +5989,6 @@
         <translation>zamiast tego użyto zwykłej wartości</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>%1 ścian bryły leży w miejscu innej ściany; zostały pominięte</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>to projekt, który jest tu otwarty; wybierz inną nazwę</translation>
     </message>
@@ -6183,6 +6171,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>Za wąskie w stosunku do trójkątów pokrowca o krawędziach %1&#xa0;mm, więc nie da się go policzyć: %2. Skróć krawędzie siatki albo połącz je z tym, co leży obok</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>Przedłuż otwarte linie szwów</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>Przedłuż: %1</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>Bryły formy przechodzą jedna przez drugą, na przykład w %1: to, co z jednej leży wewnątrz innej, też dostaje pokrowiec i jest wypychane. Połącz je wcześniej albo pomiń jedną z nich. Liczba takich par: %2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>Ściany formy, które leżą tam, gdzie już jest inna, i są pominięte: %1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>Odwrócone ściany formy: %1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>Krawędzie formy, które należą do więcej niż dwóch ścian, są więc brzegami i nic się tam nie zszywa: %1</translation>
     </message>
 </context>
 <context>
@@ -9620,8 +9632,8 @@
         <translation>Wybierz cel.</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>Krawędzie proste z dokładnością do %1 takie pozostają; te, które tylko tak wyglądają, mogą się wygiąć</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>Krawędzie, które wyglądają na proste, takie pozostają: te, które wyginają się o mniej niż %1 na %2</translation>
     </message>
 </context>
 <context>
@@ -9829,6 +9841,18 @@
             <numerusform>(%n krzywa, która je trzyma, nie będzie trzymać niczego)</numerusform>
             <numerusform>(%n krzywe, które je trzymają, nie będą trzymać niczego)</numerusform>
             <numerusform>(%n krzywych, które je trzymają, nie będzie trzymać niczego)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>Kończą się wewnątrz kawałka (czerwone w widoku 3D) i go nie dzielą: każda idzie dalej czerwoną drogą do najbliższego brzegu lub linii</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>Przedłuż %n &amp;otwarty koniec</numerusform>
+            <numerusform>Przedłuż %n &amp;otwarte końce</numerusform>
+            <numerusform>Przedłuż %n &amp;otwartych końców</numerusform>
         </translation>
     </message>
 </context>

@@ -5569,14 +5569,6 @@
         <translation>第二侧终止于边的中间，因此更改了第一侧。</translation>
     </message>
     <message>
-        <source>%1 faces of the form were turned round</source>
-        <translation>形体的 %1 个面已翻转</translation>
-    </message>
-    <message>
-        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
-        <translation>形体的 %1 条边属于两个以上的面：它们是边界，不在此缝合</translation>
-    </message>
-    <message>
         <source>it has no triangle with an area</source>
         <translation>它没有有面积的三角形</translation>
     </message>
@@ -5977,10 +5969,6 @@
         <translation>改用通常的值</translation>
     </message>
     <message>
-        <source>%1 faces of the form lie where another one lies, and are left out</source>
-        <translation>该形状有 %1 个面与其他面重合，已略去</translation>
-    </message>
-    <message>
         <source>it is the project that is open here; choose another name</source>
         <translation>这是此处打开的项目；请另选名称</translation>
     </message>
@@ -6163,6 +6151,30 @@
     <message>
         <source>Too narrow for the triangles of the cover, whose edges are %1 mm long, so that it cannot be solved: %2. Make the mesh edges shorter, or join them to what lies beside them</source>
         <translation>相对于面套三角形（边长 %1 mm）过窄，无法求解面套：%2。请减小网格边长，或将其与相邻部分合并</translation>
+    </message>
+    <message>
+        <source>Lead open seam lines on</source>
+        <translation>延长未闭合的缝线</translation>
+    </message>
+    <message>
+        <source>Lead %1 on</source>
+        <translation>延长 %1</translation>
+    </message>
+    <message>
+        <source>Bodies of the form go through each other, as at %1: what of one lies inside of another one is covered, too, and pushed out. Unite them before, or leave one out. Number of such pairs: %2</source>
+        <translation>形体中有实体相互穿插，例如在 %1：一个实体位于另一个内部的部分也会被包覆，并被推到外面。请先将它们合并，或者舍去其中一个。这样的对数：%2</translation>
+    </message>
+    <message>
+        <source>Faces of the form that lie where another one lies, and are left out: %1</source>
+        <translation>与其他面位置重合而被略去的形体面：%1</translation>
+    </message>
+    <message>
+        <source>Faces of the form that were turned round: %1</source>
+        <translation>被翻转的形体面：%1</translation>
+    </message>
+    <message>
+        <source>Edges of the form that belong to more than two faces, so that they are borders and nothing is sewn there: %1</source>
+        <translation>属于两个以上面的形体边，因此作为边界，那里不缝合：%1</translation>
     </message>
 </context>
 <context>
@@ -9578,8 +9590,8 @@
         <translation>请选择目标。</translation>
     </message>
     <message>
-        <source>Edges that are straight within %1 stay so; those that only look straight may bend</source>
-        <translation>在 %1 内为直线的边保持不变；只是看起来直的边可能会弯曲</translation>
+        <source>Edges that look straight stay so: those that bow by less than %1 in %2</source>
+        <translation>看上去笔直的边保持不变：在 %2 内弯曲小于 %1 的边</translation>
     </message>
 </context>
 <context>
@@ -9781,6 +9793,16 @@
         <source>(%n curves that hold them will hold nothing)</source>
         <translation>
             <numerusform>（固定它们的 %n 条曲线将不再固定任何东西）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
+        <translation>它们在样片内部结束（3D 视图中为红色），没有将其分开：每条线沿红色路径延伸到最近的边界或线</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lead %n open ends &amp;on</source>
+        <translation>
+            <numerusform>延长 %n 个开放端点(&amp;O)</numerusform>
         </translation>
     </message>
 </context>

