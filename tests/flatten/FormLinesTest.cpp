@@ -783,8 +783,8 @@ TEST(FormLines, GoAroundWhatStandsInSomethingElse)
     const FormLine around{"Around", {{50, 0, 0}, {50, 100, 0}, {50, 100, 400}, {50, 0, 400}}, true};
     const Form form = cutAlongLines(sideBySide(arm, seat), {around});
     EXPECT_TRUE(form.problem.empty()) << form.problem.english();
-    for (const Message& note : form.notes)
-        ADD_FAILURE() << note.english();
+    ASSERT_EQ(form.notes.size(), 1U);
+    EXPECT_NE(form.notes.front().english().find("go through each other"), std::string::npos);
     ASSERT_EQ(form.pieces.size(), 3U);
     for (const FormPiece& piece : form.pieces)
         EXPECT_EQ(piece.isSheet(), piece.part == "Arm") << piece.name << ": the seat is closed all around";

@@ -5,6 +5,7 @@
 #include "DesignFile.h"
 #include "FitChange.h"
 #include "RestingSolve.h"
+#include "RowModel.h"
 #include "TestFreedoms.h"
 #include "TestPaths.h"
 
@@ -169,6 +170,21 @@ TEST(PatternFit, OfASeatIsTheSameOnAnyNumberOfThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, PatternFitOf, testing::Values("Cushion", "Small"));
+
+/// Columns' products are carried on, not made anew.
+TEST(RowModel, LearnsWhatAStepLedToAndNoMore)
+{
+    const Eigen::MatrixXd jacobian = Eigen::MatrixXd::Random(40, 7);
+    const Eigen::VectorXd steps = Eigen::VectorXd::Random(7), off = Eigen::VectorXd::Random(40);
+    RowModel model(jacobian);
+    EXPECT_LT((model.squares() - jacobian.transpose() * jacobian).norm(), 1e-12);
+    model.learn(steps, off);
+    EXPECT_LT((model.jacobian() * steps - jacobian * steps - off).norm(), 1e-12);
+    Eigen::VectorXd across = Eigen::VectorXd::Random(7);
+    across -= across.dot(steps) / steps.squaredNorm() * steps;
+    EXPECT_LT((model.jacobian() * across - jacobian * across).norm(), 1e-12);
+    EXPECT_LT((model.squares() - model.jacobian().transpose() * model.jacobian()).norm(), 1e-11);
+}
 
 TEST(PatternFit, AFormFarAwayIsAFailureWithAReason)
 {

@@ -39,12 +39,12 @@ namespace bolster {
 
 namespace {
 
-constexpr double besidePattern = 100;   // mm
-constexpr int mostLinesSaid = 9;        // that are seen at once
-constexpr float hiddenLines = 0.25F;    // share of their opacity behind the form
-constexpr std::size_t mostShown = 1500; // edges of what is left out
-constexpr double seenBend = 12;         // degrees, of such edges
-constexpr float openEndRadius = 5;      // pixels
+constexpr double besidePattern = 100;                   // mm
+constexpr int mostLinesSaid = 9;                        // that are seen at once
+constexpr float hiddenLines = 0.25F;                    // share of their opacity behind the form
+constexpr std::size_t mostShown = 1500;                 // edges of what is left out
+constexpr double seenBend = 12;                         // degrees, of such edges
+constexpr float openEndRadius = 5, openWayWidth = 2.5F; // pixels
 
 Box2 layoutBox(const Design& design)
 {
@@ -381,17 +381,17 @@ void FormPatternWindow::showOnForm()
     m_scene.setGuests(std::move(marks));
 }
 
-/// Where lines end that divide nothing, and the nearest way on from there.
+/// Where lines end that divide nothing, and in dashes the nearest way on from there.
 void FormPatternWindow::addOpenEnds(GuestMarks& marks) const
 {
     const ViewColors colors = ViewColors::of(palette());
     for (const OpenEnd& end : m_made->form.openEnds) {
-        SceneLine way{{}, colors.error, 2.5F, hiddenLines};
-        for (const Vec3& place : end.way)
-            way.points.push_back(place.cast<float>());
-        marks.dots.push_back({way.points.front(), colors.error, Qt::white, openEndRadius});
-        if (way.points.size() > 1)
-            marks.lines.push_back(std::move(way));
+        marks.dots.push_back({end.way.front().cast<float>(), colors.error, Qt::white, openEndRadius});
+        for (std::size_t k = 0; k + 1 < end.way.size(); k += 2)
+            marks.lines.push_back({{end.way[k].cast<float>(), end.way[k + 1].cast<float>()},
+                                   colors.error,
+                                   openWayWidth,
+                                   hiddenLines});
     }
 }
 

@@ -378,6 +378,8 @@ void FormWishesPanel::offerToLeadOn(const Form* form)
     const auto count = std::ranges::count_if(form->openEnds, [&](const OpenEnd& end) {
         return end.way.size() > 1 && lineEndingAt(end.way.front()) != noElement;
     });
+    if (count == 0 && m_leadOn->hasFocus())
+        m_lines->setFocus(); // else Close would get it
     m_leadOn->setVisible(count > 0);
     m_leadOn->setText(tr("Lead %n open ends &on", nullptr, static_cast<int>(count)));
 }

@@ -17,13 +17,14 @@ constexpr double settledFew = 0.3;    // likewise, where more triangles follow
 constexpr double settledStep = 0.05;  // likewise of a step
 constexpr double stuckPromise = 0.5;  // of the cost: what no step kept of it is worth shorter ones
 constexpr double leastPromise = 0.01; // what a step must promise to be tried
-constexpr double firstDamping = 1e-3; // of derivatives that are new
 constexpr double leastDamping = 1e-6;
 constexpr double dampedMore = 8;     // times, after a step that was none; a step that was one takes it back
 constexpr int mostIterations = 600;  // of a cover beside the present one: others are farther away than is tried
 constexpr int iterationsBeside = 40; // of covers that derivatives are taken from: they take some 15
+constexpr double fewer = 1.4;        // times the edges of the cover, of that which derivatives come from
 constexpr int mostStepsOfRound = 5;
 constexpr int mostAims = 3;
+constexpr double leastGainOfAim = 0.1; // of the cost: for another one to follow
 constexpr int mostAttempts = 5;
 constexpr double leastEffect = 1e-7; // of a freedom, against the strongest one
 
@@ -120,12 +121,12 @@ double FitRounds::costOn(const WarmCover& cover, const Eigen::VectorXd& values, 
 
 /// The cover of the present pattern as it comes to rest by itself, and what derivatives come from; null when
 /// there is none.
-std::unique_ptr<WarmCover> FitRounds::beginRounds(double edge)
+std::unique_ptr<WarmCover> FitRounds::beginRounds(double edge, double derivativesEdge)
 {
     std::unique_ptr<WarmCover> cover = coverOf(m_result.design, edge);
     if (!cover || m_stop.stop_requested())
         return nullptr;
-    WarmOrder beside = orderFor(m_fewAreLike ? m_fewEdge : edge);
+    WarmOrder beside = orderFor(derivativesEdge);
     beside.iterationsBeside = iterationsBeside;
     const SolveInput here{m_result.design, m_input.files};
     auto derivatives = std::make_unique<CoarseDerivatives>(here, beside, m_order.threads, m_stop);
@@ -139,7 +140,8 @@ std::unique_ptr<WarmCover> FitRounds::beginRounds(double edge)
 
 bool FitRounds::run(double edge, bool few)
 {
-    std::unique_ptr<WarmCover> cover = beginRounds(edge);
+    const double own = isAboutPlaces() ? std::min(m_fewEdge, fewer * edge) : edge;
+    std::unique_ptr<WarmCover> cover = beginRounds(edge, m_fewAreLike ? m_fewEdge : own);
     if (!cover)
         return false;
     double damping = firstDamping;
@@ -157,9 +159,9 @@ bool FitRounds::run(double edge, bool few)
         if (!followsForm() || m_promised <= stuckPromise * m_reached)
             break;
         // What is promised does not come: by itself the cover may rest where it does.
-        std::unique_ptr<WarmCover> own = std::exchange(anew, true) ? nullptr : beginRounds(edge);
-        if (own) {
-            cover = std::move(own);
+        std::unique_ptr<WarmCover> again = std::exchange(anew, true) ? nullptr : beginRounds(edge, edge);
+        if (again) {
+            cover = std::move(again);
             damping = firstDamping;
         } else if (std::exchange(shorter, true)) {
             break; // else with the shorter steps that damping has come to
@@ -171,17 +173,16 @@ bool FitRounds::run(double edge, bool few)
     return !m_stop.stop_requested();
 }
 
-bool FitRounds::goOnFrom(WarmCover& cover)
+bool FitRounds::goOnFrom(WarmCover& cover, double damping)
 {
     const Derivatives derivatives =
         m_derivatives->again(cover, m_result.design, m_order.freedoms, measure(), m_stop);
     if (derivatives.columns.size() == 0 || m_stop.stop_requested())
         return false;
-    Eigen::MatrixXd jacobian = derivatives.columns * m_change.steps().asDiagonal();
+    RowModel model(derivatives.columns * m_change.steps().asDiagonal());
     Eigen::VectorXd now = m_rows.rows(cover, m_result.design);
     const double cost = costOf(now, m_result.values);
-    double damping = firstDamping;
-    return nearly * takeSteps(cover, jacobian, now, cost, damping) < cost;
+    return nearly * takeSteps(cover, model, now, cost, damping) < cost;
 }
 
 /// Derivatives once, and several steps with them: they change little, and cost most of the time.
@@ -198,23 +199,24 @@ FitRounds::Outcome FitRounds::step(WarmCover& cover, double& damping, int round,
         fail({QT_TRANSLATE_NOOP("Message", "Nothing that may change does anything to the cover."), {}});
         return Outcome::Settled;
     }
-    Eigen::MatrixXd jacobian = derivatives.columns * m_change.steps().asDiagonal(); // by steps
-    noteIdle(jacobian, derivatives.known);
+    RowModel model(derivatives.columns * m_change.steps().asDiagonal());
+    noteIdle(model.jacobian(), derivatives.known);
     const double first = costOf(now, m_result.values);
-    takeSteps(cover, jacobian, now, first, damping);
-    if (followsForm())
-        aimAgain(cover);
+    takeSteps(cover, model, now, first, damping);
+    if (followsForm() && m_reached < first)
+        aimAgain(cover, damping);
     const bool promising = !followsForm() || m_promised > settledPlaces * m_reached;
     return promising && first - m_reached > leastGain(few) * first ? Outcome::Better : Outcome::Settled;
 }
 
 /// What a place of the cover is nearest to on the form has changed with it; what the freedoms do to it hardly
 /// has.
-void FitRounds::aimAgain(WarmCover& cover)
+void FitRounds::aimAgain(WarmCover& cover, double damping)
 {
     for (int k = 0; k < mostAims && !m_stop.stop_requested() && cover.follow(m_result.design, m_stop); ++k) {
         m_rows.aim(cover);
-        if (!goOnFrom(cover))
+        const double before = m_reached;
+        if (!goOnFrom(cover, damping) || before - m_reached < leastGainOfAim * before)
             break;
     }
 }
@@ -227,12 +229,11 @@ CoarseDerivatives::Measure FitRounds::measure() const
 }
 
 /// Until they lead no farther. Returns the cost then.
-double FitRounds::takeSteps(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double cost,
-                            double& damping)
+double FitRounds::takeSteps(WarmCover& cover, RowModel& model, Eigen::VectorXd& now, double cost, double& damping)
 {
     for (int k = 0; k < mostStepsOfRound && !m_stop.stop_requested(); ++k) {
         const double before = cost;
-        if (!takeStep(cover, jacobian, now, cost, damping) || before - cost < settledStep * before)
+        if (!takeStep(cover, model, now, cost, damping) || before - cost < settledStep * before)
             break;
     }
     m_reached = cost;
@@ -248,18 +249,17 @@ double FitRounds::leastGain(bool few) const
 }
 
 /// False when no step makes it better. Derivatives learn from every step that is tried (Broyden).
-bool FitRounds::takeStep(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost,
-                         double& damping)
+bool FitRounds::takeStep(WarmCover& cover, RowModel& model, Eigen::VectorXd& now, double& cost, double& damping)
 {
-    const Eigen::MatrixXd squares = jacobian.transpose() * jacobian + m_change.squares();
+    const Eigen::MatrixXd squares = model.squares() + m_change.squares();
     const Eigen::VectorXd slope =
-        jacobian.transpose() * now + m_change.squares() * m_change.inSteps(m_result.values);
+        model.jacobian().transpose() * now + m_change.squares() * m_change.inSteps(m_result.values);
     for (int attempt = 0; attempt < mostAttempts && !m_stop.stop_requested(); ++attempt, damping *= dampedMore) {
         const Eigen::VectorXd values =
             m_change.fromSteps(boundedStep(squares, slope, damping, m_change.inSteps(m_result.values), m_bounds));
         const Eigen::VectorXd moved = m_change.inSteps(values - m_result.values);
         if (attempt == 0) {
-            m_promised = cost - costOf(now + jacobian * moved, values);
+            m_promised = cost - costOf(now + model.jacobian() * moved, values);
             if (followsForm() && m_promised < leastPromise * cost)
                 return false;
         }
@@ -270,8 +270,7 @@ bool FitRounds::takeStep(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::Vec
         const double reached = costOf(rows, values);
         if (!(reached < cost))
             continue;
-        const Eigen::VectorXd expected = now + jacobian * moved;
-        jacobian += (rows - expected) * moved.transpose() / moved.squaredNorm();
+        model.learn(moved, rows - now - model.jacobian() * moved);
         if (!cover.moveHome(design, m_stop) || (!m_fewAreLike && !m_derivatives->moveHome(design, m_stop)))
             return false;
         m_result.values = values;

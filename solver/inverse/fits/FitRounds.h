@@ -6,6 +6,7 @@
 #include "CoarseDerivatives.h"
 #include "FitRows.h"
 #include "PatternFit.h"
+#include "RowModel.h"
 
 #include <functional>
 #include <memory>
@@ -24,6 +25,7 @@ public:
 
     static constexpr double restTolerance = 1e-5; ///< of covers on the way, relative to D
     static constexpr double nearly = 1.03;        ///< times the cost: as good
+    static constexpr double firstDamping = 1e-3;  ///< of derivatives that are new
 
     /// Covers on few triangles move as those on more do: derivatives come from them.
     void setFewAreLike(bool are) { m_fewAreLike = are; }
@@ -46,7 +48,7 @@ public:
     bool run(double edge, bool few);
     /// The derivatives that are known do for covers that lie near: steps with them from where a cover has come to
     /// rest by itself. False when they lead nowhere.
-    bool goOnFrom(WarmCover& cover);
+    bool goOnFrom(WarmCover& cover, double damping = firstDamping);
     /// The cost that the last rounds have come to.
     double reached() const { return m_reached; }
     /// False; says why, unless it has been stopped.
@@ -58,12 +60,11 @@ private:
     double costOf(const Eigen::VectorXd& rows, const Eigen::VectorXd& values) const;
     WarmOrder orderFor(double edge) const;
     CoarseDerivatives::Measure measure() const;
-    std::unique_ptr<WarmCover> beginRounds(double edge);
+    std::unique_ptr<WarmCover> beginRounds(double edge, double derivativesEdge);
     Outcome step(WarmCover& cover, double& damping, int round, bool few);
-    void aimAgain(WarmCover& cover);
-    double takeSteps(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double cost,
-                     double& damping);
-    bool takeStep(WarmCover& cover, Eigen::MatrixXd& jacobian, Eigen::VectorXd& now, double& cost, double& damping);
+    void aimAgain(WarmCover& cover, double damping);
+    double takeSteps(WarmCover& cover, RowModel& model, Eigen::VectorXd& now, double cost, double& damping);
+    bool takeStep(WarmCover& cover, RowModel& model, Eigen::VectorXd& now, double& cost, double& damping);
     bool isWhole(const Design& design);
     double leastGain(bool few) const;
     void noteIdle(const Eigen::MatrixXd& jacobian, const std::vector<bool>& known);

@@ -23,7 +23,7 @@ constexpr int mostVerifications = 10, fewVerifications = 4;
 constexpr int mostImprovements = 2;  // on the way
 constexpr double leastWorth = 0.999; // times the cost of the pattern as it was: else nothing is gained by a change
 constexpr double sprang = 1.5;       // times the cost that the last round had: the cover has come to rest elsewhere
-constexpr double asGood = 1.25;      // times the cost that was reached: not worth more time
+constexpr double asGood = 1.5;       // times the cost that was reached: not worth more time
 
 /// Lengths of edges, mm: the last one is the design's, or what is as fine as it need be.
 std::vector<double> edgesFor(const Design& design)
