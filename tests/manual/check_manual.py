@@ -15,7 +15,7 @@ MENU_LIKE = re.compile(r"^class (\w+(?:Dialog|Window|Panel|Tool|Form|Section|Pal
 # What is no part of its own that somebody could ask about.
 BASES = {"ElementForm", "DescribedForm", "PropertyForm", "ViewTool"}
 # Names of edits in the history, which warn of nothing, begin with a verb and end without a full stop.
-EDITS = set("Add Align Arrange Attach Change Create Cut Distribute Duplicate Fit Flip Give Hide Import Insert Let Make Merge Mirror "
+EDITS = set("Add Align Arrange Attach Change Create Cut Distribute Duplicate Fit Flip Give Hide Import Insert Lead Let Make Merge Mirror "
             "Move Paste Place Re-link Release Remove Rename Replace Reverse Rotate Saved Scale Sew Show Smooth Split Straighten "
             "Swap Switch Take Trim Turn Unlink".split())
 
