@@ -210,7 +210,7 @@
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>
         <translation>
-            <numerusform>Lead the open end &amp;on</numerusform>
+            <numerusform>Lead %n open end &amp;on</numerusform>
             <numerusform>Lead %n open ends &amp;on</numerusform>
         </translation>
     </message>

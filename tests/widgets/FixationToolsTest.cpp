@@ -143,13 +143,15 @@ TEST_F(FixationDrawing, IsDrawnToWhatAWindowOffersWhenNearUnlessCtrlIsHeld)
     guests.catching = {around, {Vec3(350, 80, -80), Vec3(50, 80, -80)}};
     view.shown().setGuests(guests);
     const Vec3 offered = onTube(-31, 120);
-    const auto drawTo = [&](QPointF end, Qt::KeyboardModifiers keys) {
+    const auto drawTo = [&](QPointF to, Qt::KeyboardModifiers keys) {
         view.setTool(CoverToolKind::DrawFixation);
         mouse.click(pixel(onTube(-30, 60)));
-        QTest::mouseClick(&view, Qt::LeftButton, keys, end.toPoint());
+        QTest::mouseClick(&view, Qt::LeftButton, keys, to.toPoint());
         QTest::keyClick(&view, Qt::Key_B);
         QTest::keyClick(&view, Qt::Key_Return);
-        return curvesOf(document).back().curve.points().back();
+        const Vec3 end = curvesOf(document).back().curve.points().back();
+        document.undo(); // its end would catch the next one
+        return end;
     };
     const QPointF beside = pixel(offered) + QPointF(0, 5);
     const double size = view.navigation().camera().pixelSize(offered);
