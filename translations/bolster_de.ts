@@ -9820,8 +9820,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>Sie enden in einem Teil (rot in der 3D-Ansicht) und teilen es nicht: Jede geht auf dem roten Weg zum Rand oder zur Linie weiter, die am nächsten ist</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>Sie enden in einem Teil (in der 3D-Ansicht markiert) und teilen es nicht: Jede geht auf dem Weg, der dort zu sehen ist, zum nächsten Rand oder zur nächsten Linie weiter</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

@@ -9820,8 +9820,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>Terminan dentro de una pieza (rojo en la vista 3D) y no la dividen: cada una sigue hasta el borde o la línea más próximos, por el camino rojo</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>Terminan dentro de una pieza (marcado en la vista 3D) y no la dividen: cada una sigue hasta el borde o la línea más próximos, por el camino que se muestra allí</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

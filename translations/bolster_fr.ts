@@ -9820,8 +9820,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>Elles finissent à l’intérieur d’une pièce (rouge dans la vue 3D) et ne la divisent pas : chacune continue jusqu’au bord ou à la ligne la plus proche, le long du chemin rouge</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>Elles finissent à l’intérieur d’une pièce (marqué dans la vue 3D) et ne la divisent pas : chacune continue jusqu’au bord ou à la ligne la plus proche, le long du chemin qui y est montré</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

@@ -9820,8 +9820,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>Finiscono dentro un pezzo (rosso nella vista 3D) e non lo dividono: ciascuna prosegue fino al bordo o alla linea più vicina, lungo il percorso rosso</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>Finiscono dentro un pezzo (segnato nella vista 3D) e non lo dividono: ciascuna prosegue fino al bordo o alla linea più vicina, lungo il percorso che vi è mostrato</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

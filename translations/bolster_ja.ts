@@ -9796,8 +9796,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>パーツの内側で終わっていて（3Dビューで赤）、パーツを分けていません。それぞれ赤い道に沿って最も近い縁または線まで延びます</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>パーツの内側で終わっていて（3Dビューに印があります）、パーツを分けていません。それぞれそこに示された道に沿って最も近い縁または線まで延びます</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

@@ -9844,8 +9844,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>Kończą się wewnątrz kawałka (czerwone w widoku 3D) i go nie dzielą: każda idzie dalej czerwoną drogą do najbliższego brzegu lub linii</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>Kończą się wewnątrz kawałka (zaznaczone w widoku 3D) i go nie dzielą: każda idzie dalej pokazaną tam drogą do najbliższego brzegu lub linii</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

@@ -9796,8 +9796,8 @@
         </translation>
     </message>
     <message>
-        <source>They end inside a piece (red in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the red way</source>
-        <translation>它们在样片内部结束（3D 视图中为红色），没有将其分开：每条线沿红色路径延伸到最近的边界或线</translation>
+        <source>They end inside a piece (marked in the 3D view) and do not divide it: each goes on to the border or line that is nearest, along the way shown there</source>
+        <translation>它们在样片内部结束（3D 视图中有标记），没有将其分开：每条线沿那里显示的路径延伸到最近的边界或线</translation>
     </message>
     <message numerus="yes">
         <source>Lead %n open ends &amp;on</source>

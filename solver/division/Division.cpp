@@ -45,18 +45,21 @@ public:
 
     Form divided(const Form& form)
     {
-        const std::vector<FormPiece>& pieces = form.pieces;
-        std::vector<bool> bad(pieces.size(), false);
-        for (std::size_t p = 0; p < pieces.size() && !m_trials.isStopped(); ++p)
-            bad[p] = !pieces[p].isSheet() || !m_trials.liesFlat(m_trials.formOf(sheetOf(form.points, pieces[p])));
-        if (std::ranges::count(bad, true) == 0)
-            return form;
-        const std::vector<std::vector<FormSheet>> results = dividedAlike(form, bad);
-        Form now = divided(form.points, pieces, bad, [&](std::size_t p, const FormSheet&) { return results[p]; });
+        Form begun = form;
+        std::vector<bool> bad = badOnes(begun);
+        const bool closed = closeSlits(begun, bad);
+        if (closed) {
+            tellOf(form, begun);
+            bad = badOnes(begun);
+        }
+        if (std::ranges::count(bad, true) == 0 || m_trials.isStopped())
+            return m_trials.isStopped() ? form : begun;
+        const std::vector<std::vector<FormSheet>> results = dividedAlike(begun, bad);
+        Form now =
+            divided(begun.points, begun.pieces, bad, [&](std::size_t p, const FormSheet&) { return results[p]; });
         if (m_divisions == 0) {
-            Form same = form;
-            same.undivided = std::move(m_undivided);
-            return same;
+            begun.undivided = std::move(m_undivided);
+            return begun;
         }
         // Sewn to each other, as equally long edges ask for, a few may not lie flat any more.
         for (int round = 0; round < mostRounds && !m_trials.isStopped(); ++round) {
@@ -75,9 +78,8 @@ public:
         if (m_trials.isStopped())
             return form;
         sayWhatIsLost(now);
-        now.notes = form.notes;
+        tellOf(form, now);
         now.undivided = std::move(m_undivided);
-        std::ranges::copy(m_notes, std::back_inserter(now.notes));
         if (m_divisions > 0)
             now.notes.push_back(
                 {QT_TRANSLATE_NOOP("Message", "What would not lie flat, or be strained by more than the "
@@ -86,7 +88,48 @@ public:
         return now;
     }
 
+    /// Nothing is divided.
+    Form withoutClosedSlits(const Form& form)
+    {
+        std::vector<bool> bad(form.pieces.size(), false);
+        for (std::size_t p = 0; p < form.pieces.size() && !m_trials.isStopped(); ++p)
+            bad[p] = form.pieces[p].isSheet() && !slitsOf(form, p).empty() &&
+                     !m_trials.liesFlat(m_trials.formOf(sheetOf(form.points, form.pieces[p])));
+        Form now = form;
+        if (m_trials.isStopped() || !closeSlits(now, bad) || m_trials.isStopped())
+            return form;
+        tellOf(form, now);
+        return now;
+    }
+
 private:
+    /// What was said of the form before, but of cuts that have gone; and what of these.
+    void tellOf(const Form& before, Form& now) const
+    {
+        now.notes = before.notes;
+        now.openEnds = before.openEnds;
+        const std::vector<std::vector<Vec3>> slits = slitsOf(now);
+        for (const OpenEnd& end : before.openEnds) {
+            const bool isCut = std::ranges::any_of(slits, [&](const std::vector<Vec3>& row) {
+                return segmentDistance<3>(end.way.front(), row.front(), row.back()) < onEdge;
+            });
+            if (!isCut)
+                std::erase_if(now.notes, [at = placeText(end.way.front())](const Message& note) {
+                    return std::ranges::find(note.args, at) != note.args.end();
+                });
+        }
+        std::ranges::copy(m_notes, std::back_inserter(now.notes));
+    }
+
+    std::vector<bool> badOnes(const Form& form)
+    {
+        std::vector<bool> bad(form.pieces.size(), false);
+        for (std::size_t p = 0; p < form.pieces.size() && !m_trials.isStopped(); ++p)
+            bad[p] = !form.pieces[p].isSheet() ||
+                     !m_trials.liesFlat(m_trials.formOf(sheetOf(form.points, form.pieces[p])));
+        return bad;
+    }
+
     /// Parts that are alike, as two arms are, and what they are divided into.
     struct Alike {
         FormSheet sheet;
@@ -344,6 +387,13 @@ Form divided(const Form& form, const FormPatternOrder& order, const std::stop_to
     if (form.pieces.empty())
         return form;
     return Divider(form, order, progress, stop).divided(form);
+}
+
+Form withoutClosedSlits(const Form& form, const FormPatternOrder& order, const std::stop_token& stop)
+{
+    if (form.openEnds.empty() || form.pieces.empty())
+        return form;
+    return Divider(form, order, {}, stop).withoutClosedSlits(form);
 }
 
 } // namespace bolster

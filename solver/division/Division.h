@@ -21,4 +21,8 @@ using DivisionProgress = std::function<void(int pieces)>;
 Form divided(const Form& form, const FormPatternOrder& order, const std::stop_token& stop = {},
              const DivisionProgress& progress = {});
 
+/// Without cuts of lines that end inside a piece, if with them it would lie over itself and without them it would
+/// not, as where it is hollow like a saddle; a note says so. Nothing is divided.
+Form withoutClosedSlits(const Form& form, const FormPatternOrder& order, const std::stop_token& stop = {});
+
 } // namespace bolster

@@ -85,7 +85,18 @@ private:
         body.isBuilt = true;
     }
 
-    /// Where an edge of one goes through a triangle of the other, so that both its ends are some way off its plane.
+    /// Whether some place of an edge on that side of where it meets the other body is some way off it: where both
+    /// only touch an edge runs along it.
+    static bool goesOff(const TriangleRays& body, const TriangleRays::Vec3f& met, const TriangleRays::Vec3f& end)
+    {
+        constexpr int places = 8;
+        for (int k = 1; k <= places; ++k)
+            if (!body.nearest(met + static_cast<float>(k) / places * (end - met), leastDeep))
+                return true;
+        return false;
+    }
+
+    /// Where an edge of one goes through a triangle of the other.
     std::optional<Vec3> crossing(const Body& edges, Body& faces) const
     {
         if (!faces.isBuilt)
@@ -99,12 +110,9 @@ private:
                 const auto hit = faces.rays.first(from.cast<float>(), way);
                 if (!hit || hit->distance >= 1)
                     continue;
-                const int met = faces.triangles[hit->triangle];
-                const Vec3 normal =
-                    (point(met, 1) - point(met, 0)).cross(point(met, 2) - point(met, 0)).normalized();
-                const float across = std::abs(way.dot(normal.cast<float>()));
-                if (std::min(hit->distance, 1 - hit->distance) * across > leastDeep)
-                    return from + double(hit->distance) * (to - from);
+                const TriangleRays::Vec3f met = from.cast<float>() + hit->distance * way;
+                if (goesOff(faces.rays, met, from.cast<float>()) && goesOff(faces.rays, met, to.cast<float>()))
+                    return met.cast<double>();
             }
         return std::nullopt;
     }

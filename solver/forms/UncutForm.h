@@ -43,6 +43,16 @@ public:
     /// Calls visit(place) with the nearest one of each such edge that is no farther than `within` from `at`.
     template <class Visit>
     void eachBorderNear(const Vec3& at, double within, const Visit& visit) const;
+    /// Ends of each such edge.
+    template <class Visit>
+    void eachEdgeCutAnyway(const Visit& visit) const
+    {
+        for (const FormEdge e : m_mesh.mesh.edges())
+            if (m_mesh.isCutAnyway(e, m_cuts)) {
+                const auto [a, b] = m_mesh.endsOf(e);
+                visit(a, b);
+            }
+    }
 
     const SharpEdges& sharpEdges() const { return m_sharp; }
 

@@ -155,7 +155,16 @@ TEST_F(CommandLine, NeverOverwritesWhatItReads)
     expectUsageError({"solve", file, "--obj", path("chair.obj")},
                      "--obj would overwrite the file \"chair.obj\" of frame 9 \"Chair\"");
     expectUsageError({"solve", file, "--report", path("chair.json")}, "--report would overwrite the design");
-    EXPECT_TRUE(importMesh(path("chair.obj")).mesh);
+    write("form.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nf 1 2 3\n");
+    const QString frame = path("chair.obj");
+    const std::string why = "--report would overwrite the file \"chair.obj\" of frame 9 \"Chair\"";
+    expectUsageError({"relieve", file, "--report", frame}, why);
+    expectUsageError({"explain", file, "--scan", frame, "--report", frame}, "is read, or written twice");
+    expectUsageError({"explain", file, "--report", frame}, why);
+    expectUsageError({"fit-pattern", file, "--to", "strain", "--out", path("new.json"), "--report", frame}, why);
+    expectUsageError({"flatten", path("form.obj"), "--along", file, "--out", path("new.json"), "--report", frame},
+                     why);
+    EXPECT_TRUE(importMesh(frame).mesh);
 }
 
 TEST_F(CommandLine, ChecksAGoodDesign)

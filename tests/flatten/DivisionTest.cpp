@@ -122,6 +122,34 @@ std::ptrdiff_t openEdges(const Form& form)
     return open;
 }
 
+/// A cut into a saddle does not open: it closes over itself. The piece is worth more than the cut.
+TEST(Division, CutsThatWouldCloseOverThemselvesAreLeftOut)
+{
+    const auto bowed = [](double across) {
+        return gridMesh(40, 40, [=](double u, double v) {
+            const double x = 400 * (u - 0.5), y = 400 * (v - 0.5);
+            return Vec3(x, y, (-x * x + across * y * y) / 1500);
+        });
+    };
+    const auto leavesOut = [](const Form& one) { return formPattern(one, flatten(one, {}), {}).isEmpty(); };
+    FormCuts cuts;
+    cuts.lines = {{"Cut", {{-200, 0, -27}, {-100, 0, -7}, {10, 0, 0}}, false}};
+    const Form form = cutForm(bowed(1), cuts);
+    ASSERT_EQ(form.openEnds.size(), 1U);
+    ASSERT_TRUE(leavesOut(form)) << "else there is nothing to mend";
+    for (const Form& mended : {withoutClosedSlits(form, {}), divided(form, {})}) {
+        EXPECT_EQ(mended.pieces.size(), 1U);
+        EXPECT_FALSE(leavesOut(mended));
+        ASSERT_EQ(mended.notes.size(), 1U);
+        EXPECT_NE(mended.notes.front().english().find("A line is not cut in"), std::string::npos);
+        EXPECT_EQ(mended.openEnds.size(), 1U) << "it can still be led on";
+    }
+    const Form open = cutForm(bowed(-1), cuts); // one that opens stays
+    const Form same = withoutClosedSlits(open, {});
+    EXPECT_EQ(same.notes, open.notes);
+    EXPECT_FALSE(leavesOut(same));
+}
+
 } // namespace
 
 TEST(Division, ABallBecomesPiecesThatTheFabricBears)

@@ -143,6 +143,20 @@ TEST(FormLines, ThatEndInsideAreCutInAndSayWhere)
     expectSound(form);
 }
 
+/// Where the form is cut anyway: where it bends, too; and rather ahead than a little nearer beside.
+TEST(FormLines, ThatEndInsideGoOnAheadToABend)
+{
+    const TriangleMesh roof = gridMesh(
+        20, 20, [](double u, double v) { return Vec3(400 * (u - 0.5), 400 * v, -std::abs(400 * (u - 0.5))); });
+    FormCuts cuts;
+    cuts.angle = 30;
+    cuts.lines = {{"Line", {{-200, 55, -200}, {-50, 55, -50}}, false}};
+    const Form form = cutForm(roof, cuts);
+    ASSERT_EQ(form.openEnds.size(), 1U);
+    EXPECT_LT((form.openEnds.front().way.back() - Vec3(0, 55, 0)).norm(), 12)
+        << "the ridge, 71 mm ahead, and not the border, 55 mm beside";
+}
+
 TEST(FormLines, MayCross)
 {
     FormLine across{"Across", {}, false};
@@ -401,7 +415,8 @@ TEST(FormLines, ThatAreRefusedLeadNobodyOn)
         << form.notes[0].english();
     EXPECT_TRUE(form.notes[1].english().starts_with("Ends ends inside a piece, at (250, 201, 0): "))
         << form.notes[1].english();
-    EXPECT_NE(form.notes[1].english().find("border is 201 mm away"), std::string::npos) << form.notes[1].english();
+    EXPECT_NE(form.notes[1].english().find("border is 299 mm away"), std::string::npos)
+        << form.notes[1].english() << ", ahead, and not 201 mm back";
 }
 
 TEST(FormLines, WithoutLengthChangeNothing)

@@ -232,6 +232,9 @@ TEST(Form, SaysWhereBodiesGoThroughEachOther)
     EXPECT_NE(noted({50, 50, -5}), "");
     EXPECT_EQ(noted({250, 0, 0}), "") << "beside";
     EXPECT_EQ(noted({200, 50, 0}), "") << "it only touches it";
+    EXPECT_EQ(noted({200, 150, 0}), "") << "it only touches it, and stands out beside it";
+    EXPECT_EQ(noted({200, 163, 17}), "");
+    EXPECT_EQ(noted({63, 41, 60}), "") << "it stands on it";
     EXPECT_EQ(noted({50, 50, -80}), "") << "below";
 }
 

@@ -3,6 +3,7 @@
 #include "FitTargetFiles.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "OutputFiles.h"
 #include "ProgressLine.h"
 #include "Solving.h"
 #include "Subcommands.h"
@@ -155,6 +156,7 @@ int explain(std::span<const std::string> words)
     order.threads = arguments.integer("--threads", 0, 0, 1024);
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
+    OutputFiles(arguments, {"--report"}).protectInputs(path, opened.design);
     if (printErrors(opened.problems))
         return badInput;
     sayOfPulls(opened.design);

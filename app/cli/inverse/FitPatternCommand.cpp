@@ -441,6 +441,7 @@ int fitPattern(std::span<const std::string> words)
         return otherFailure;
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
+    OutputFiles(arguments, {"--report"}).protectInputs(path, opened.design);
     if (printErrors(opened.problems))
         return badInput;
     sayOfPulls(opened.design);

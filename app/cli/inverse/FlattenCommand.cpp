@@ -139,9 +139,11 @@ FormGrain grainOf(const Arguments& arguments)
     return {Vec3::Zero(), angle};
 }
 
-std::vector<FormLine> linesAlong(const QString& design)
+std::vector<FormLine> linesAlong(const Arguments& arguments)
 {
+    const QString design = arguments.path("--along");
     const OpenedDesign lines = openedShown(design);
+    OutputFiles(arguments, {"--report"}).protectInputs(design, lines.design);
     if (!lines.readable)
         throw UsageError("--along: " + (lines.problems.empty() ? design.toStdString() + " cannot be read"
                                                                : lines.problems.front().english()));
@@ -239,6 +241,8 @@ ReadForm formOf(const QString& surface, FormCuts cuts, const FormPatternOrder& o
             line.say("dividing the form (" + counted(pieces, "piece") + " so far)");
         });
     }
+    if (!cuts.divides)
+        read.form = withoutClosedSlits(read.form, order, stop);
     if (stop.stop_requested()) {
         printError("error: interrupted");
         return {{}, {}, otherFailure};
@@ -362,7 +366,7 @@ int flattenForm(std::span<const std::string> words)
     const std::string frameFile = arguments.has("--frame") ? fileOfFrame(surface, out) : "";
     Interrupt interrupt;
     if (arguments.has("--along"))
-        cuts.lines = linesAlong(arguments.path("--along"));
+        cuts.lines = linesAlong(arguments);
     const auto [form, placement, failure, isSmall] =
         formOf(surface, std::move(cuts), order, arguments, interrupt.token());
     if (failure != done)

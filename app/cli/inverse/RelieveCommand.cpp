@@ -190,6 +190,7 @@ int relieve(std::span<const std::string> words)
             return relieveFailed("\"" + file.toStdString() + "\" is there already; choose another folder");
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
+    OutputFiles(arguments, {"--report"}).protectInputs(path, opened.design);
     if (printErrors(opened.problems))
         return badInput;
     sayOfPulls(opened.design);

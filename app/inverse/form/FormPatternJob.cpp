@@ -159,6 +159,8 @@ FormMade FormPatternJob::make(const FormWanted& wanted, const std::stop_token& s
             return made;
         made.form = cuts.divides ? cutAndDivided(mesh, cuts, wanted, stop)
                                  : cutForm(*mesh, cuts, stop, wanted.draft ? m_draft.get() : nullptr);
+        if (!cuts.divides && !wanted.draft)
+            made.form = withoutClosedSlits(made.form, wanted.order, stop);
         made.form.notes.insert(made.form.notes.begin(), notes.begin(), notes.end());
         made.problem = made.form.problem;
         if (!wanted.mesh && !m_form.warning.empty())

@@ -381,17 +381,17 @@ void FormPatternWindow::showOnForm()
     m_scene.setGuests(std::move(marks));
 }
 
-/// Where lines end that divide nothing, and in dashes the nearest way on from there.
+/// Where lines end that divide nothing, and the nearest way on from there.
 void FormPatternWindow::addOpenEnds(GuestMarks& marks) const
 {
     const ViewColors colors = ViewColors::of(palette());
     for (const OpenEnd& end : m_made->form.openEnds) {
-        marks.dots.push_back({end.way.front().cast<float>(), colors.error, Qt::white, openEndRadius});
-        for (std::size_t k = 0; k + 1 < end.way.size(); k += 2)
-            marks.lines.push_back({{end.way[k].cast<float>(), end.way[k + 1].cast<float>()},
-                                   colors.error,
-                                   openWayWidth,
-                                   hiddenLines});
+        marks.dots.push_back({end.way.front().cast<float>(), colors.warning, Qt::white, openEndRadius});
+        SceneLine way{{}, colors.warning, openWayWidth, hiddenLines};
+        for (const Vec3& place : end.way)
+            way.points.push_back(place.cast<float>());
+        if (way.points.size() > 1)
+            marks.lines.push_back(std::move(way));
     }
 }
 

@@ -95,9 +95,8 @@ void FormWishesPanel::build()
     rows->addWidget(new QLabel(tr("and along the ticked lines:"), this));
     rows->addWidget(m_lines, 1);
     m_leadOn = new QPushButton(this);
-    m_leadOn->setToolTip(
-        tr("They end inside a piece (red in the 3D view) and do not divide it: each goes on to the "
-           "border or line that is nearest, along the red way"));
+    m_leadOn->setToolTip(tr("They end inside a piece (marked in the 3D view) and do not divide it: each goes on to "
+                            "the border or line that is nearest, along the way shown there"));
     m_leadOn->setAutoDefault(false);
     m_leadOn->hide();
     connect(m_leadOn, &QPushButton::clicked, this, &FormWishesPanel::leadOnWanted);
