@@ -114,6 +114,7 @@ TEST_F(FitPattern, RefusesWordsThatItDoesNotKnow)
     expectRefused({"--to", "strain", "--freedom", "outlines,"}, "--freedom");
     expectRefused({"--to", "strain", "--freedom", ""}, "--freedom");
     expectRefused({"--to", "strain", "--lock", "length"}, "not \"length\"");
+    expectRefused({"--to", "strain", "--lock", "none,lengths"}, "none without lengths");
     expectRefused({"--to", "strain", "--lock", "patch:Bottom"}, "no patch \"Bottom\"");
     expectRefused({"--to", "strain", "--patch", "Bottom"}, "no patch \"Bottom\"");
     expectRefused({"--to", "strian"}, "strian");

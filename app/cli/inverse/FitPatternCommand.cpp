@@ -190,8 +190,9 @@ void readLocks(const Arguments& arguments, const Design& design, Asked& asked)
         return;
     asked.order.locks.lengths = asked.order.locks.straight = false;
     const std::vector<std::string> words = wordsOf(arguments.path("--lock"), "--lock");
-    if (words.size() > 1 && std::ranges::find(words, "none") != words.end())
-        throw UsageError("--lock takes none alone");
+    const auto isAsked = [&](const char* word) { return std::ranges::find(words, word) != words.end(); };
+    if (isAsked("none") && (isAsked("lengths") || isAsked("straight") || isAsked("corners")))
+        throw UsageError("--lock takes none without lengths, straight and corners");
     for (const std::string& word : words) {
         if (word == "lengths")
             asked.order.locks.lengths = true;
