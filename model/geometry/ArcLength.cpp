@@ -111,4 +111,19 @@ double ArcLength<Dim>::parameterAt(double s) const
 template class ArcLength<2>;
 template class ArcLength<3>;
 
+Vec3 placeAlong(std::span<const Vec3> row, double share)
+{
+    double length = 0;
+    for (std::size_t k = 1; k < row.size(); ++k)
+        length += (row[k] - row[k - 1]).norm();
+    double left = share * length;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+        const double piece = (row[k] - row[k - 1]).norm();
+        if (left <= piece && piece > 0)
+            return row[k - 1] + left / piece * (row[k] - row[k - 1]);
+        left -= piece;
+    }
+    return row.back();
+}
+
 } // namespace bolster

@@ -3,6 +3,8 @@
 
 #include "BezierPieces.h"
 
+#include <span>
+
 namespace bolster {
 
 /// A table over the curve's polynomial pieces with Gauss-Legendre quadrature in between; accurate to about 1e-9 of
@@ -30,5 +32,9 @@ using ArcLength3 = ArcLength<3>;
 
 extern template class ArcLength<2>;
 extern template class ArcLength<3>;
+
+/// The place of a row of points that has this share of the row's length before it; 0 to 1. The row has a point at
+/// least.
+Vec3 placeAlong(std::span<const Vec3> row, double share);
 
 } // namespace bolster

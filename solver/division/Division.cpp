@@ -114,9 +114,7 @@ private:
                 return segmentDistance<3>(end.way.front(), row.front(), row.back()) < onEdge;
             });
             if (!isCut)
-                std::erase_if(now.notes, [at = placeText(end.way.front())](const Message& note) {
-                    return std::ranges::find(note.args, at) != note.args.end();
-                });
+                std::erase(now.notes, end.note);
         }
         std::ranges::copy(m_notes, std::back_inserter(now.notes));
     }

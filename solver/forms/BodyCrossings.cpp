@@ -5,8 +5,6 @@
 #include "TriangleRays.h"
 #include "UnionFind.h"
 
-#include <algorithm>
-
 namespace bolster {
 
 namespace {

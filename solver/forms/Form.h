@@ -80,12 +80,13 @@ struct OpenEnd {
     std::string line;      ///< its name
     std::vector<Vec3> way; ///< mm, on the form: from there the nearest way to a border or another line; the end
                            ///< alone where there is neither
+    Message note;          ///< what it means, among the notes of the form
 };
 
 struct Form {
     std::vector<Vec3> points; ///< mm, each place once
     std::vector<FormPiece> pieces;
-    std::vector<OpenEnd> openEnds;          ///< each has a note, too
+    std::vector<OpenEnd> openEnds;
     std::vector<Message> notes;             ///< what was mended: faces turned round, rings cut open ...
     std::vector<Message> undivided;         ///< why pieces stay as they are that were to be divided
     Message problem;                        ///< why there is none; pieces are empty then

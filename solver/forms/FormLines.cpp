@@ -1,6 +1,7 @@
 #include "FormLines.h"
 
 #include "LineEnds.h"
+#include "OpenEnds.h"
 #include "UnionFind.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -192,8 +193,8 @@ public:
                 result.cuts.insert({std::min(a, b), std::max(a, b)});
             }
         for (const Vertex v : form.looseEnds(m_cuts)) {
-            result.openEnds.push_back(openEnd(fromCgal(form.mesh.point(v))));
-            result.notes.push_back(noteOf(result.openEnds.back()));
+            result.openEnds.push_back(openEndAt(fromCgal(form.mesh.point(v)), m_form, m_lines));
+            result.notes.push_back(result.openEnds.back().note);
         }
         return result;
     }
@@ -465,87 +466,6 @@ private:
             strip.add_face(b, c, d);
         }
         return strip;
-    }
-
-    /// Of the line whose place is nearest.
-    std::size_t lineAt(const Vec3& at) const
-    {
-        const auto away = [&](const LineToCut& line) {
-            double nearest = std::numeric_limits<double>::infinity();
-            for (const Vec3& place : line.places)
-                nearest = std::min(nearest, (place - at).norm());
-            return nearest;
-        };
-        return static_cast<std::size_t>(std::ranges::min_element(m_lines, {}, away) - m_lines.begin());
-    }
-
-    /// In which direction that line ends there; zero where it is too short to say.
-    Vec3 directionAt(const Vec3& at, std::size_t own) const
-    {
-        constexpr double near = 8, far = 25; // mm
-        Vec3 behind = Vec3::Zero();
-        int count = 0;
-        for (const Vec3& place : m_lines[own].places)
-            if (const double away = (place - at).norm(); away > near && away < far) {
-                behind += place;
-                ++count;
-            }
-        return count > 0 ? Vec3((at - behind / count).normalized()) : Vec3::Zero();
-    }
-
-    /// The place nearest to where a line ends: of where the form is cut anyway, and of the other lines. What lies
-    /// beside counts as if it were twice as far away as what lies ahead, what lies behind three times.
-    std::optional<Vec3> nearestTo(const Vec3& at, std::size_t own) const
-    {
-        const Vec3 ahead = own < m_lines.size() ? directionAt(at, own) : Vec3::Zero();
-        std::optional<Vec3> nearest;
-        double least = std::numeric_limits<double>::infinity();
-        const auto look = [&](const Vec3& place) {
-            const double far = (place - at).norm(), counts = 2 * far - ahead.dot(place - at);
-            if (counts < least) {
-                least = counts;
-                nearest = place;
-            }
-        };
-        m_form.eachEdgeCutAnyway([&](const Vec3& a, const Vec3& b) {
-            constexpr double apart = 4; // mm
-            const int steps = std::max(1, static_cast<int>((b - a).norm() / apart));
-            look(nearestOnSegment<3>(at, a, b));
-            for (int k = 0; k <= steps; ++k)
-                look(a + double(k) / steps * (b - a));
-        });
-        for (std::size_t k = 0; k < m_lines.size(); ++k)
-            if (k != own && m_lines[k].isCut)
-                for (const Vec3& place : m_lines[k].places)
-                    look(m_form.nearest(place));
-        return nearest;
-    }
-
-    OpenEnd openEnd(const Vec3& at) const
-    {
-        const std::size_t own = lineAt(at);
-        OpenEnd end{own < m_lines.size() ? m_lines[own].line.name : std::string(), {at}};
-        if (const std::optional<Vec3> to = nearestTo(at, own)) {
-            const int steps = std::max(1, static_cast<int>(std::ceil((*to - at).norm() / spacing)));
-            for (int k = 1; k < steps; ++k)
-                end.way.push_back(m_form.nearest(at + double(k) / steps * (*to - at)));
-            end.way.push_back(*to);
-        }
-        return end;
-    }
-
-    static Message noteOf(const OpenEnd& end)
-    {
-        const std::string at = placeText(end.way.front());
-        if (end.way.size() == 1)
-            return {QT_TRANSLATE_NOOP("Message",
-                                      "%1 ends inside a piece, at %2: it is cut in there like a dart. There is no "
-                                      "other line or border; lead it around to where it began to divide the piece"),
-                    {end.line, at}};
-        return {QT_TRANSLATE_NOOP("Message",
-                                  "%1 ends inside a piece, at %2: it is cut in there like a dart. The next "
-                                  "line or border is %3 mm away; draw it on to there to divide the piece"),
-                {end.line, at, numberText((end.way.back() - end.way.front()).norm(), 2)}};
     }
 
     TriangleSoup m_soup;

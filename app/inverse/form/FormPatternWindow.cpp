@@ -85,14 +85,12 @@ bool sameShape(const Frame* a, const Frame* b)
            static_cast<const Placement&>(*a) == static_cast<const Placement&>(*b);
 }
 
-std::vector<Vec3> placesAround(const Form& form, const FormPiece& piece)
+std::vector<int> allAround(const FormPiece& piece)
 {
-    std::vector<Vec3> places;
-    for (const int vertex : piece.border)
-        places.push_back(form.points[piece.points[vertex]]);
-    if (!places.empty())
-        places.push_back(places.front());
-    return places;
+    std::vector<int> around = piece.border;
+    if (!around.empty())
+        around.push_back(around.front());
+    return around;
 }
 
 } // namespace
@@ -352,11 +350,7 @@ void FormPatternWindow::showOnForm()
             marks.lines.push_back(std::move(line));
     };
     const auto addBorder = [&](std::size_t p, const QColor& color, float width) {
-        const FormPiece& piece = m_made->form.pieces[p];
-        std::vector<int> around = piece.border;
-        if (!around.empty())
-            around.push_back(around.front());
-        add(piece, around, color, width);
+        add(m_made->form.pieces[p], allAround(m_made->form.pieces[p]), color, width);
     };
     for (std::size_t p = 0; p < count; ++p)
         addBorder(p, colors.snap, 1.5F);
@@ -376,8 +370,12 @@ void FormPatternWindow::showOnForm()
         addBorder(*m_view->hovered(), colors.hover, 4);
     if (count > 0)
         addOpenEnds(marks);
-    for (std::size_t p = 0; p < count; ++p)
-        marks.catching.push_back(placesAround(m_made->form, m_made->form.pieces[p]));
+    for (std::size_t p = 0; p < count; ++p) {
+        const FormPiece& piece = m_made->form.pieces[p];
+        std::vector<Vec3>& places = marks.catching.emplace_back();
+        for (const int vertex : allAround(piece))
+            places.push_back(m_made->form.points[piece.points[vertex]]);
+    }
     m_scene.setGuests(std::move(marks));
 }
 

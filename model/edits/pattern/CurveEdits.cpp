@@ -1,5 +1,6 @@
 #include "CurveEdits.h"
 
+#include "ArcLength.h"
 #include "EditHelpers.h"
 
 namespace bolster::edits {
@@ -19,30 +20,15 @@ const BSpline3* fixationOf(const Design& design, ElementId id)
     return element ? spaceCurve(*element) : nullptr; // alive as long as the design
 }
 
-/// The place a share of the way along it.
-Vec3 alongWay(std::span<const Vec3> way, double share)
-{
-    double left = 0;
-    for (std::size_t k = 1; k < way.size(); ++k)
-        left += share * (way[k] - way[k - 1]).norm();
-    for (std::size_t k = 1; k < way.size(); ++k) {
-        const double length = (way[k] - way[k - 1]).norm();
-        if (left <= length && length > 0)
-            return way[k - 1] + left / length * (way[k] - way[k - 1]);
-        left -= length;
-    }
-    return way.back();
-}
-
 /// Control points behind the first of one polynomial of that degree along the way.
 std::vector<Vec3> pointsAlong(std::span<const Vec3> way, int degree)
 {
     if (degree == 1)
         return {way.back()};
     if (degree == 2)
-        return {2 * alongWay(way, 0.5) - 0.5 * (way.front() + way.back()), way.back()};
-    const Vec3 first = 27 * alongWay(way, 1.0 / 3) - 8 * way.front() - way.back();
-    const Vec3 second = 27 * alongWay(way, 2.0 / 3) - way.front() - 8 * way.back();
+        return {2 * placeAlong(way, 0.5) - 0.5 * (way.front() + way.back()), way.back()};
+    const Vec3 first = 27 * placeAlong(way, 1.0 / 3) - 8 * way.front() - way.back();
+    const Vec3 second = 27 * placeAlong(way, 2.0 / 3) - way.front() - 8 * way.back();
     return {(2 * first - second) / 18, (2 * second - first) / 18, way.back()};
 }
 

@@ -1,4 +1,5 @@
 // Edges that go on in each other, as one.
+#include "ArcLength.h"
 #include "FrameEdges.h"
 
 #include <algorithm>
@@ -18,22 +19,6 @@ constexpr std::size_t noEnd = std::numeric_limits<std::size_t>::max();
 double sortKey(const Vec3& point)
 {
     return Vec3(0.61, 0.53, 0.59).dot(point);
-}
-
-/// By length.
-Vec3 halfWay(const std::vector<Vec3>& points)
-{
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        length += (points[i] - points[i - 1]).norm();
-    double left = length / 2;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const double piece = (points[i] - points[i - 1]).norm();
-        if (left <= piece && piece > 0)
-            return points[i - 1] + left / piece * (points[i] - points[i - 1]);
-        left -= piece;
-    }
-    return points.back();
 }
 
 /// End 2i is where edge i begins, end 2i + 1 where it ends.
@@ -135,7 +120,7 @@ std::vector<FrameEdge> distinctEdges(const std::vector<FrameEdge>& edges)
     std::vector<std::pair<double, std::size_t>> sorted;
     std::vector<Vec3> middles;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        middles.push_back(halfWay(edges[i].points));
+        middles.push_back(placeAlong(edges[i].points, 0.5));
         sorted.emplace_back(sortKey(middles[i]), i);
     }
     std::ranges::sort(sorted);
